@@ -1,0 +1,199 @@
+//! What is simulated: physical facts only, checked once, in [`Scene::new`].
+//!
+//! What a scene lacks does not exist in its type: a fixed floor has no
+//! amplitude, a scene without gravity has no weight, a hard-sphere scene has no
+//! contact time. So no engine can pay for it and no panel can show it.
+
+mod error;
+mod method;
+pub mod parameters;
+pub mod preset;
+mod start;
+mod validate;
+pub(crate) mod words;
+
+pub use error::SceneError;
+pub use method::MethodName;
+pub use preset::Preset;
+pub use start::{diameters, initial_gaps};
+
+use std::ops::Deref;
+
+/// How the column starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// All beads move alike, apart from each other.
+    Separated {
+        /// Separation s₀ between neighbours, and of bead 1 from the floor, m; ≥ 0.
+        s0: f64,
+        /// Shift every bead at random (seeded) by up to ±s₀/2, as in Fig. 2(a).
+        jitter: bool,
+        /// Common velocity v₀, m/s; negative towards the floor.
+        v0: f64,
+    },
+    /// At rest on the floor and moving with it, contacts in static equilibrium.
+    Resting,
+}
+
+/// What the column stands on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Floor {
+    /// A floor that never moves.
+    Fixed,
+    /// A plate that moves as z₀(t) = A₀ sin(2πft), Eq. (1).
+    Vibrating {
+        /// Amplitude A₀, m.
+        amplitude: f64,
+        /// Frequency f, Hz.
+        frequency: f64,
+    },
+}
+
+/// What the contact of bead 1 with the floor shares with a contact of two beads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FloorContact {
+    /// The same spring K and dashpot c against an infinite mass, as in the paper:
+    /// the floor's restitution is then ε_w = exp(−πμ/√(2ω₀² − μ²)), not ε.
+    SameSpring,
+    /// K and c chosen so that the floor's restitution is ε and its contact lasts t_c.
+    SameRestitution,
+}
+
+/// Fixed-step integrators of the soft-contact method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Integrator {
+    /// Gear's fifth-order predictor–corrector, the paper's method (Ref. 27 there).
+    Gear,
+    /// Velocity Verlet.
+    Verlet,
+}
+
+/// How collisions that happen very soon after one another lose energy (ED).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CollisionRule {
+    /// Largest relative velocity first at simultaneous contacts (Sec. II B).
+    Lrv,
+    /// LRV, and a collision within `contact_time` of the bead's last one loses
+    /// nothing: the TC model of Luding & McNamara (1998), later work.
+    Tc {
+        /// Cut-off t_c, s.
+        contact_time: f64,
+    },
+}
+
+/// How the column is moved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// Soft contacts, molecular dynamics.
+    Md {
+        /// Contact time t_c of a pair of equal beads, s, Eq. (6).
+        contact_time: f64,
+        /// The integrator.
+        integrator: Integrator,
+        /// Time steps in one contact time.
+        steps_per_contact: f64,
+        /// Whether the short attractive end of a contact acts (the paper's law).
+        attraction: bool,
+    },
+    /// Hard collisions, event driven.
+    Ed {
+        /// Which collisions lose energy.
+        rule: CollisionRule,
+    },
+}
+
+/// The facts of a scene, before they are checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Facts {
+    /// Number of beads N.
+    pub n: usize,
+    /// Mean diameter d, m.
+    pub diameter: f64,
+    /// Width w of the uniform distribution of diameters, m; 0 for equal beads.
+    pub width: f64,
+    /// Seed of everything random in the scene.
+    pub seed: u64,
+    /// Restitution ε of a pair of mean beads.
+    pub restitution: f64,
+    /// The floor's contact law.
+    pub floor_contact: FloorContact,
+    /// How the column starts.
+    pub start: Start,
+    /// Gravitational acceleration g, m/s², where there is gravity.
+    pub gravity: Option<f64>,
+    /// What the column stands on.
+    pub floor: Floor,
+    /// How it is moved.
+    pub method: Method,
+    /// How long a run lasts, s; without it a run lasts until the floor collision is over.
+    pub duration: Option<f64>,
+}
+
+/// A scene whose facts are consistent and in range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene(Facts);
+
+impl Deref for Scene {
+    type Target = Facts;
+
+    fn deref(&self) -> &Facts {
+        &self.0
+    }
+}
+
+impl Facts {
+    /// Reduced acceleration α = A₀(2πf)²/g of a vibrating floor.
+    pub fn alpha(&self) -> Option<f64> {
+        match (self.floor, self.gravity) {
+            (
+                Floor::Vibrating {
+                    amplitude,
+                    frequency,
+                },
+                Some(gravity),
+            ) => Some(amplitude * angular(frequency).powi(2) / gravity),
+            _ => None,
+        }
+    }
+
+    /// Contact time t_c, s, of a scene that has one.
+    pub fn contact_time(&self) -> Option<f64> {
+        match self.method {
+            Method::Md { contact_time, .. }
+            | Method::Ed {
+                rule: CollisionRule::Tc { contact_time },
+            } => Some(contact_time),
+            Method::Ed {
+                rule: CollisionRule::Lrv,
+            } => None,
+        }
+    }
+
+    /// Nominal σ₀ = s₀/(|v₀| t_c) before a floor collision.
+    pub fn sigma0(&self) -> Option<f64> {
+        match self.start {
+            Start::Separated { s0, v0, .. } if v0 != 0.0 => {
+                Some(s0 / (v0.abs() * self.contact_time()?))
+            }
+            _ => None,
+        }
+    }
+
+    /// Period of the plate, s.
+    pub fn period(&self) -> Option<f64> {
+        match self.floor {
+            Floor::Vibrating { frequency, .. } => Some(1.0 / frequency),
+            Floor::Fixed => None,
+        }
+    }
+
+    /// Whether the beads move by soft contacts.
+    pub fn is_md(&self) -> bool {
+        matches!(self.method, Method::Md { .. })
+    }
+}
+
+/// Angular frequency 2πf, 1/s.
+pub fn angular(frequency: f64) -> f64 {
+    std::f64::consts::TAU * frequency
+}

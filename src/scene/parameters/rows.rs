@@ -1,0 +1,504 @@
+//! The rows of the table.
+
+use super::{Kind, Parameter, Scale, Value};
+use crate::scene::{CollisionRule, Facts, Floor, FloorContact, Method, Start, angular};
+
+/// The largest seed that a JSON number holds exactly.
+const LARGEST_SEED: u64 = 1 << 53;
+
+const SAME_SPRING: &str = "same-spring";
+const SAME_RESTITUTION: &str = "same-restitution";
+const LRV: &str = "lrv";
+const TC: &str = "tc";
+
+const SEPARATED: &str = "scenes with start separated";
+const SOFT: &str = "scenes with soft contacts (method gear or verlet)";
+const TIMED: &str = "scenes with soft contacts (method gear or verlet) or the rule tc";
+const HARD: &str = "scenes with hard spheres (method ed)";
+const HEAVY: &str = "scenes with gravity";
+const VIBRATING: &str = "scenes with a vibrating floor";
+
+const DECADES: Scale = Scale::Log {
+    fine: 1.1,
+    coarse: 2.0,
+    smallest: 1e-12,
+};
+const SEPARATIONS: Scale = Scale::Log {
+    fine: 1.1,
+    coarse: 2.0,
+    smallest: 1e-9,
+};
+const WIDTHS: Scale = Scale::Log {
+    fine: 1.1,
+    coarse: 2.0,
+    smallest: 1e-6,
+};
+const AMPLITUDES: Scale = Scale::Log {
+    fine: 1.02,
+    coarse: 1.25,
+    smallest: 1e-6,
+};
+
+/// What most rows share.
+const ROW: Parameter = Parameter {
+    name: "",
+    symbol: "",
+    symbol_ascii: "",
+    unit: "",
+    help: "",
+    kind: Kind::Flag,
+    note: "",
+    belongs_to: "all scenes",
+    live: true,
+    optional: false,
+    get: |_| None,
+    set: |_, _| {},
+};
+
+pub(super) static ROWS: &[Parameter] = &[
+    Parameter {
+        name: "n",
+        symbol: "N",
+        symbol_ascii: "N",
+        help: "number of beads",
+        kind: Kind::Whole {
+            min: 1,
+            max: 1_000_000,
+            fine: 1,
+            coarse: 10,
+        },
+        live: false,
+        get: |facts| Some(Value::Whole(facts.n as u64)),
+        set: |facts, value| {
+            whole(value, |n| {
+                facts.n = usize::try_from(n).unwrap_or(usize::MAX)
+            })
+        },
+        ..ROW
+    },
+    Parameter {
+        name: "restitution",
+        symbol: "ε",
+        symbol_ascii: "e",
+        help: "restitution of two beads: speed after over before",
+        kind: Kind::Number {
+            min: 0.0,
+            max: 1.0,
+            scale: Scale::Linear {
+                fine: 0.01,
+                coarse: 0.1,
+            },
+        },
+        note: " (soft contacts: above 0)",
+        get: |facts| Some(Value::Number(facts.restitution)),
+        set: |facts, value| number(value, |x| facts.restitution = x),
+        ..ROW
+    },
+    Parameter {
+        name: "contact_time",
+        symbol: "t_c",
+        symbol_ascii: "t_c",
+        unit: "s",
+        help: "time that a collision of two beads takes",
+        kind: Kind::Number {
+            min: 1e-12,
+            max: 1e3,
+            scale: DECADES,
+        },
+        belongs_to: TIMED,
+        get: |facts| facts.contact_time().map(Value::Number),
+        set: |facts, value| number(value, |x| set_contact_time(facts, x)),
+        ..ROW
+    },
+    Parameter {
+        name: "amplitude",
+        symbol: "A_0",
+        symbol_ascii: "A_0",
+        unit: "m",
+        help: "amplitude of the plate",
+        kind: Kind::Number {
+            min: 0.0,
+            max: 1e6,
+            scale: AMPLITUDES,
+        },
+        belongs_to: VIBRATING,
+        get: |facts| plate(facts).map(|(amplitude, _)| Value::Number(amplitude)),
+        set: |facts, value| number(value, |x| set_amplitude(facts, x)),
+        ..ROW
+    },
+    Parameter {
+        name: "alpha",
+        symbol: "α",
+        symbol_ascii: "alpha",
+        help: "largest acceleration of the plate over gravity",
+        kind: Kind::Number {
+            min: 0.0,
+            max: 1e6,
+            scale: Scale::Linear {
+                fine: 0.1,
+                coarse: 1.0,
+            },
+        },
+        belongs_to: VIBRATING,
+        get: |facts| facts.alpha().map(Value::Number),
+        set: |facts, value| number(value, |x| set_alpha(facts, x)),
+        ..ROW
+    },
+    Parameter {
+        name: "frequency",
+        symbol: "f",
+        symbol_ascii: "f",
+        unit: "Hz",
+        help: "frequency of the plate",
+        kind: Kind::Number {
+            min: 1e-3,
+            max: 1e6,
+            scale: Scale::Linear {
+                fine: 0.5,
+                coarse: 5.0,
+            },
+        },
+        belongs_to: VIBRATING,
+        get: |facts| plate(facts).map(|(_, frequency)| Value::Number(frequency)),
+        set: |facts, value| number(value, |x| set_frequency(facts, x)),
+        ..ROW
+    },
+    Parameter {
+        name: "gravity",
+        symbol: "g",
+        symbol_ascii: "g",
+        unit: "m/s²",
+        help: "gravitational acceleration",
+        kind: Kind::Number {
+            min: 1e-6,
+            max: 1e6,
+            scale: Scale::Linear {
+                fine: 0.1,
+                coarse: 1.0,
+            },
+        },
+        belongs_to: HEAVY,
+        get: |facts| facts.gravity.map(Value::Number),
+        set: |facts, value| number(value, |x| facts.gravity = Some(x)),
+        ..ROW
+    },
+    Parameter {
+        name: "s0",
+        symbol: "s_0",
+        symbol_ascii: "s_0",
+        unit: "m",
+        help: "separation of the beads at the start",
+        kind: Kind::Number {
+            min: 0.0,
+            max: 1e3,
+            scale: SEPARATIONS,
+        },
+        belongs_to: SEPARATED,
+        live: false,
+        get: |facts| separated(facts).map(|(s0, _, _)| Value::Number(s0)),
+        set: |facts, value| {
+            number(value, |x| {
+                if let Start::Separated { s0, .. } = &mut facts.start {
+                    *s0 = x;
+                }
+            });
+        },
+        ..ROW
+    },
+    Parameter {
+        name: "v0",
+        symbol: "v_0",
+        symbol_ascii: "v_0",
+        unit: "m/s",
+        help: "velocity at the start, negative towards the floor",
+        kind: Kind::Number {
+            min: -1e6,
+            max: 1e6,
+            scale: Scale::Linear {
+                fine: 0.01,
+                coarse: 0.1,
+            },
+        },
+        note: " (without gravity: below 0)",
+        belongs_to: SEPARATED,
+        live: false,
+        get: |facts| separated(facts).map(|(_, v0, _)| Value::Number(v0)),
+        set: |facts, value| {
+            number(value, |x| {
+                if let Start::Separated { v0, .. } = &mut facts.start {
+                    *v0 = x;
+                }
+            });
+        },
+        ..ROW
+    },
+    Parameter {
+        name: "jitter",
+        symbol: "jitter",
+        symbol_ascii: "jitter",
+        help: "shift each bead at the start by up to s0/2, at random",
+        kind: Kind::Flag,
+        belongs_to: SEPARATED,
+        live: false,
+        get: |facts| separated(facts).map(|(_, _, jitter)| Value::Flag(jitter)),
+        set: |facts, value| {
+            flag(value, |on| {
+                if let Start::Separated { jitter, .. } = &mut facts.start {
+                    *jitter = on;
+                }
+            });
+        },
+        ..ROW
+    },
+    Parameter {
+        name: "diameter",
+        symbol: "d",
+        symbol_ascii: "d",
+        unit: "m",
+        help: "mean diameter of the beads",
+        kind: Kind::Number {
+            min: 1e-9,
+            max: 1.0,
+            scale: DECADES,
+        },
+        live: false,
+        get: |facts| Some(Value::Number(facts.diameter)),
+        set: |facts, value| number(value, |x| facts.diameter = x),
+        ..ROW
+    },
+    Parameter {
+        name: "width",
+        symbol: "w",
+        symbol_ascii: "w",
+        unit: "m",
+        help: "width of the spread of diameters, 0 for equal beads",
+        kind: Kind::Number {
+            min: 0.0,
+            max: 1.9,
+            scale: WIDTHS,
+        },
+        note: " (at most 1.9 diameters)",
+        live: false,
+        get: |facts| Some(Value::Number(facts.width)),
+        set: |facts, value| number(value, |x| facts.width = x),
+        ..ROW
+    },
+    Parameter {
+        name: "seed",
+        symbol: "seed",
+        symbol_ascii: "seed",
+        help: "seed of the diameters and of the jitter",
+        kind: Kind::Whole {
+            min: 0,
+            max: LARGEST_SEED,
+            fine: 1,
+            coarse: 10,
+        },
+        live: false,
+        get: |facts| Some(Value::Whole(facts.seed)),
+        set: |facts, value| whole(value, |k| facts.seed = k),
+        ..ROW
+    },
+    Parameter {
+        name: "floor_contact",
+        symbol: "floor",
+        symbol_ascii: "floor",
+        help: "what floor and beads share: the spring, or restitution",
+        kind: Kind::Choice(&[SAME_SPRING, SAME_RESTITUTION]),
+        get: |facts| {
+            Some(Value::Choice(match facts.floor_contact {
+                FloorContact::SameSpring => SAME_SPRING,
+                FloorContact::SameRestitution => SAME_RESTITUTION,
+            }))
+        },
+        set: |facts, value| {
+            choice(value, |word| {
+                facts.floor_contact = if word == SAME_SPRING {
+                    FloorContact::SameSpring
+                } else {
+                    FloorContact::SameRestitution
+                }
+            });
+        },
+        ..ROW
+    },
+    Parameter {
+        name: "attraction",
+        symbol: "attraction",
+        symbol_ascii: "attraction",
+        help: "let the attractive end of a contact act, as in the paper",
+        kind: Kind::Flag,
+        belongs_to: SOFT,
+        get: |facts| soft(facts).map(|(_, attraction)| Value::Flag(attraction)),
+        set: |facts, value| {
+            flag(value, |on| {
+                if let Method::Md { attraction, .. } = &mut facts.method {
+                    *attraction = on;
+                }
+            });
+        },
+        ..ROW
+    },
+    Parameter {
+        name: "steps_per_contact",
+        symbol: "t_c/Δt",
+        symbol_ascii: "t_c/dt",
+        help: "time steps in one contact time",
+        kind: Kind::Number {
+            min: 2.0,
+            max: 1e6,
+            scale: Scale::Log {
+                fine: 1.1,
+                coarse: 2.0,
+                smallest: 2.0,
+            },
+        },
+        belongs_to: SOFT,
+        get: |facts| soft(facts).map(|(steps, _)| Value::Number(steps)),
+        set: |facts, value| {
+            number(value, |x| {
+                if let Method::Md {
+                    steps_per_contact, ..
+                } = &mut facts.method
+                {
+                    *steps_per_contact = x;
+                }
+            });
+        },
+        ..ROW
+    },
+    Parameter {
+        name: "rule",
+        symbol: "rule",
+        symbol_ascii: "rule",
+        help: "collisions that dissipate: all, or not within contact_time",
+        kind: Kind::Choice(&[LRV, TC]),
+        belongs_to: HARD,
+        get: |facts| match facts.method {
+            Method::Ed {
+                rule: CollisionRule::Lrv,
+            } => Some(Value::Choice(LRV)),
+            Method::Ed {
+                rule: CollisionRule::Tc { .. },
+            } => Some(Value::Choice(TC)),
+            Method::Md { .. } => None,
+        },
+        set: |facts, value| choice(value, |word| set_rule(facts, word)),
+        ..ROW
+    },
+    Parameter {
+        name: "duration",
+        symbol: "T",
+        symbol_ascii: "T",
+        unit: "s",
+        help: "how long a run lasts; without gravity, at most",
+        kind: Kind::Number {
+            min: 1e-12,
+            max: 1e9,
+            scale: DECADES,
+        },
+        optional: true,
+        get: |facts| facts.duration.map(Value::Number),
+        set: |facts, value| number(value, |x| facts.duration = Some(x)),
+        ..ROW
+    },
+];
+
+// The table hands over values of the row's own kind only.
+
+fn number(value: Value, put: impl FnOnce(f64)) {
+    if let Value::Number(x) = value {
+        put(x);
+    }
+}
+
+fn whole(value: Value, put: impl FnOnce(u64)) {
+    if let Value::Whole(k) = value {
+        put(k);
+    }
+}
+
+fn flag(value: Value, put: impl FnOnce(bool)) {
+    if let Value::Flag(on) = value {
+        put(on);
+    }
+}
+
+fn choice(value: Value, put: impl FnOnce(&'static str)) {
+    if let Value::Choice(word) = value {
+        put(word);
+    }
+}
+
+/// s₀, v₀ and jitter of a separated start.
+fn separated(facts: &Facts) -> Option<(f64, f64, bool)> {
+    match facts.start {
+        Start::Separated { s0, jitter, v0 } => Some((s0, v0, jitter)),
+        Start::Resting => None,
+    }
+}
+
+/// Steps in a contact time, and attraction, of soft contacts.
+fn soft(facts: &Facts) -> Option<(f64, bool)> {
+    match facts.method {
+        Method::Md {
+            steps_per_contact,
+            attraction,
+            ..
+        } => Some((steps_per_contact, attraction)),
+        Method::Ed { .. } => None,
+    }
+}
+
+/// Amplitude and frequency of a vibrating floor.
+fn plate(facts: &Facts) -> Option<(f64, f64)> {
+    match facts.floor {
+        Floor::Vibrating {
+            amplitude,
+            frequency,
+        } => Some((amplitude, frequency)),
+        Floor::Fixed => None,
+    }
+}
+
+fn set_contact_time(facts: &mut Facts, to: f64) {
+    if let Method::Md { contact_time, .. }
+    | Method::Ed {
+        rule: CollisionRule::Tc { contact_time },
+    } = &mut facts.method
+    {
+        *contact_time = to;
+    }
+}
+
+fn set_amplitude(facts: &mut Facts, to: f64) {
+    if let Floor::Vibrating { amplitude, .. } = &mut facts.floor {
+        *amplitude = to;
+    }
+}
+
+fn set_frequency(facts: &mut Facts, to: f64) {
+    if let Floor::Vibrating { frequency, .. } = &mut facts.floor {
+        *frequency = to;
+    }
+}
+
+/// A₀ = α g/(2πf)² for the frequency and gravity in force.
+fn set_alpha(facts: &mut Facts, alpha: f64) {
+    if let (Some((_, frequency)), Some(gravity)) = (plate(facts), facts.gravity) {
+        set_amplitude(facts, alpha * gravity / angular(frequency).powi(2));
+    }
+}
+
+/// The TC rule starts without a contact time: NaN, "not given yet".
+fn set_rule(facts: &mut Facts, word: &str) {
+    if let Method::Ed { rule } = &mut facts.method {
+        *rule = match (word, *rule) {
+            (TC, CollisionRule::Lrv) => CollisionRule::Tc {
+                contact_time: f64::NAN,
+            },
+            (TC, timed) => timed,
+            _ => CollisionRule::Lrv,
+        };
+    }
+}

@@ -1,0 +1,354 @@
+use super::*;
+use crate::scene::validate::example;
+use crate::scene::{Floor, MethodName, Scene, Start};
+
+fn example_scene() -> Scene {
+    Scene::new(example()).expect("the example is a scene")
+}
+
+/// A column at rest on a plate.
+fn shaken() -> Scene {
+    Scene::new(Facts {
+        start: Start::Resting,
+        gravity: Some(9.81),
+        floor: Floor::Vibrating {
+            amplitude: 1e-3,
+            frequency: 20.0,
+        },
+        duration: Some(1.0),
+        ..example()
+    })
+    .expect("a column on a plate is a scene")
+}
+
+fn settings(pairs: &[(&str, &str)]) -> Vec<Setting> {
+    let read = |&(name, value): &(&str, &str)| Setting::read(name, value).expect("a good setting");
+    pairs.iter().map(read).collect()
+}
+
+fn layered(scene: &Scene, pairs: &[(&str, &str)]) -> Result<Scene, SceneError> {
+    let mut facts = scene.facts().clone();
+    apply(&mut facts, &settings(pairs))?;
+    complete(&facts)?;
+    Scene::new(facts)
+}
+
+/// The bits of a scene's amplitude.
+fn amplitude(scene: &Scene) -> f64 {
+    match scene.floor {
+        Floor::Vibrating { amplitude, .. } => amplitude,
+        Floor::Fixed => f64::NAN,
+    }
+}
+
+#[test]
+fn every_row_gets_what_it_sets() {
+    let timed = layered(
+        &shaken().with_method(MethodName::Ed).expect("hard"),
+        &[("rule", "tc"), ("contact_time", "1e-5")],
+    )
+    .expect("a TC scene");
+    let scenes = [example_scene(), shaken(), timed];
+    for parameter in table() {
+        let scene = scenes
+            .iter()
+            .find(|scene| (parameter.get)(scene).is_some() && parameter.applies(scene))
+            .or_else(|| scenes.iter().find(|scene| parameter.applies(scene)))
+            .unwrap_or_else(|| panic!("no scene has {}", parameter.name));
+        let before = (parameter.get)(scene).unwrap_or(Value::Number(1.0));
+        for steps in [1, -1] {
+            let wanted = nudge(parameter, before, steps, false);
+            let mut facts = scene.facts().clone();
+            (parameter.set)(&mut facts, wanted);
+            let got = (parameter.get)(&facts).expect("it has a value now");
+            match (wanted, got) {
+                (Value::Number(a), Value::Number(b)) => {
+                    assert!(
+                        (a - b).abs() <= 1e-12 * a.abs(),
+                        "{}: {a} {b}",
+                        parameter.name
+                    );
+                }
+                _ => assert_eq!(wanted, got, "{}", parameter.name),
+            }
+        }
+        let moved = [1, -1].map(|steps| nudge(parameter, before, steps, false));
+        assert!(
+            moved.iter().any(|&to| to != before),
+            "{} cannot be moved",
+            parameter.name
+        );
+    }
+}
+
+#[test]
+fn values_outside_the_range_are_refused_with_name_and_value() {
+    for (name, text) in [
+        ("restitution", "1.5"),
+        ("restitution", "-0.1"),
+        ("restitution", "NaN"),
+        ("contact_time", "0"),
+        ("contact_time", "inf"),
+        ("contact_time", "1e999"),
+        ("n", "0"),
+        ("n", "1.5"),
+        ("n", "-3"),
+        ("seed", "9007199254740993"),
+        ("jitter", "maybe"),
+        ("floor_contact", "soft"),
+        ("steps_per_contact", "1"),
+    ] {
+        let error = Setting::read(name, text).expect_err(text).to_string();
+        assert!(
+            error.starts_with(&format!("{name} = {text}: must be ")),
+            "{error}"
+        );
+        assert_eq!(error.lines().count(), 1);
+    }
+}
+
+#[test]
+fn a_scene_is_refused_by_field_when_its_facts_do_not_go_together() {
+    let resting = Facts {
+        start: Start::Resting,
+        ..example()
+    };
+    let plate = Floor::Vibrating {
+        amplitude: 1e-3,
+        frequency: 20.0,
+    };
+    let rising = Start::Separated {
+        s0: 0.0,
+        jitter: false,
+        v0: 0.1,
+    };
+    for (facts, field) in [
+        (resting, "start"),
+        (
+            Facts {
+                floor: plate,
+                ..example()
+            },
+            "floor",
+        ),
+        (
+            Facts {
+                start: rising,
+                ..example()
+            },
+            "v0",
+        ),
+        (
+            Facts {
+                restitution: 0.0,
+                ..example()
+            },
+            "restitution",
+        ),
+        (
+            Facts {
+                restitution: f64::NAN,
+                ..example()
+            },
+            "restitution",
+        ),
+        (
+            Facts {
+                width: 1.95e-3,
+                ..example()
+            },
+            "width",
+        ),
+        (Facts { n: 0, ..example() }, "n"),
+        (
+            Facts {
+                gravity: Some(9.81),
+                ..example()
+            },
+            "duration",
+        ),
+        (
+            Facts {
+                gravity: Some(f64::INFINITY),
+                duration: Some(1.0),
+                ..example()
+            },
+            "gravity",
+        ),
+        (
+            Facts {
+                diameter: 0.0,
+                ..example()
+            },
+            "diameter",
+        ),
+        (
+            Facts {
+                duration: Some(0.0),
+                ..example()
+            },
+            "duration",
+        ),
+    ] {
+        let error = Scene::new(facts).expect_err(field);
+        assert_eq!(error.parameter(), field, "{error}");
+    }
+}
+
+#[test]
+fn hard_spheres_may_be_totally_inelastic() {
+    let hard = example_scene().with_method(MethodName::Ed).expect("hard");
+    let dead = layered(&hard, &[("restitution", "0")]).expect("ED allows 0");
+    let error = dead
+        .with_method(MethodName::Gear)
+        .expect_err("no contact time");
+    assert_eq!(error.parameter(), "contact_time");
+}
+
+#[test]
+fn a_parameter_that_the_scene_lacks_is_refused() {
+    let fixed = example_scene();
+    let hard = fixed.with_method(MethodName::Ed).expect("hard");
+    for (scene, name, value) in [
+        (&fixed, "amplitude", "1e-3"),
+        (&fixed, "alpha", "2"),
+        (&fixed, "gravity", "9.81"),
+        (&fixed, "rule", "tc"),
+        (&hard, "contact_time", "1e-5"),
+        (&hard, "attraction", "false"),
+        (&hard, "steps_per_contact", "50"),
+        (&shaken(), "s0", "1e-6"),
+        (&shaken(), "jitter", "true"),
+    ] {
+        let error = layered(scene, &[(name, value)]).expect_err(name);
+        assert!(matches!(error, SceneError::Absent { .. }), "{error}");
+        assert_eq!(error.parameter(), name);
+    }
+    // A run without gravity has no duration, but may be given one.
+    assert_eq!(
+        layered(&fixed, &[("duration", "2")]).map(|scene| scene.duration),
+        Ok(Some(2.0))
+    );
+}
+
+#[test]
+fn alpha_uses_the_frequency_of_its_layer_in_any_order() {
+    let one = layered(&shaken(), &[("alpha", "3"), ("frequency", "40")]).expect("in range");
+    let two = layered(&shaken(), &[("frequency", "40"), ("alpha", "3")]).expect("in range");
+    assert_eq!(one, two);
+    let expected = 3.0 * 9.81 / (std::f64::consts::TAU * 40.0).powi(2);
+    assert!((amplitude(&one) / expected - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn editing_the_frequency_keeps_the_amplitude() {
+    let frequency = find("frequency").expect("a row");
+    let edited = edit(&shaken(), frequency, Value::Number(30.0)).expect("in range");
+    assert_eq!(amplitude(&edited).to_bits(), amplitude(&shaken()).to_bits());
+    let alpha = edited.alpha().expect("a plate") / shaken().alpha().expect("a plate");
+    assert!((alpha - 2.25).abs() < 1e-12, "{alpha}");
+}
+
+#[test]
+fn amplitude_and_alpha_together_and_an_endless_amplitude_are_refused() {
+    let both = layered(&shaken(), &[("amplitude", "1e-3"), ("alpha", "2")]);
+    assert_eq!(both.expect_err("both").parameter(), "alpha");
+    let endless = layered(
+        &shaken(),
+        &[("alpha", "1e6"), ("gravity", "1e6"), ("frequency", "1e-3")],
+    );
+    let error = endless.expect_err("an amplitude of 1e16 m");
+    assert_eq!(error.parameter(), "alpha");
+    assert!(error.to_string().contains("gives the amplitude"), "{error}");
+}
+
+#[test]
+fn the_tc_rule_asks_for_its_contact_time() {
+    let hard = example_scene().with_method(MethodName::Ed).expect("hard");
+    let error = layered(&hard, &[("rule", "tc")]).expect_err("no contact time");
+    assert_eq!(
+        error,
+        SceneError::Missing {
+            name: "contact_time",
+            belongs_to: find("contact_time").expect("a row").belongs_to,
+        }
+    );
+    let timed = layered(&hard, &[("contact_time", "1e-5"), ("rule", "tc")]).expect("complete");
+    assert_eq!(timed.contact_time(), Some(1e-5));
+}
+
+#[test]
+fn values_read_as_people_write_them() {
+    for (name, value, expected, ascii) in [
+        ("contact_time", 7e-6, "7.0 µs", "7.0 us"),
+        ("contact_time", 0.7e-3, "700 µs", "700 us"),
+        ("amplitude", 1.24e-3, "1.24 mm", "1.24 mm"),
+        ("frequency", 20.0, "20 Hz", "20 Hz"),
+        ("frequency", 1500.0, "1.5 kHz", "1.5 kHz"),
+        ("restitution", 0.6, "0.60", "0.60"),
+        ("restitution", 0.975, "0.975", "0.975"),
+        ("restitution", 1.0, "1.0", "1.0"),
+        ("restitution", 1e-5, "1.0e-5", "1.0e-5"),
+        ("alpha", 1.996_04, "1.996", "1.996"),
+        ("v0", -0.2, "-0.20 m/s", "-0.20 m/s"),
+        ("gravity", 9.81, "9.81 m/s²", "9.81 m/s^2"),
+        ("s0", 0.0, "0 m", "0 m"),
+        ("s0", 9.9999e-7, "1.0 µm", "1.0 um"),
+        ("duration", 2500.0, "2500 s", "2500 s"),
+        ("steps_per_contact", 100.0, "100", "100"),
+    ] {
+        let parameter = find(name).expect("a row");
+        assert_eq!(display(parameter, Value::Number(value)), expected);
+        assert_eq!(display_ascii(parameter, Value::Number(value)), ascii);
+    }
+}
+
+#[test]
+fn what_is_shown_exactly_can_be_typed_back() {
+    let parameter = find("contact_time").expect("a row");
+    for x in [0.7e-5, 1e-12, 123.456, 1.0 / 3.0] {
+        let typed = Value::Number(x).to_string();
+        assert_eq!(parse(parameter, &typed), Ok(Value::Number(x)));
+    }
+}
+
+#[test]
+fn key_presses_move_by_steps_and_stop_at_the_ends() {
+    let press = |name: &str, from: f64, steps, coarse| match nudge(
+        find(name).expect("a row"),
+        Value::Number(from),
+        steps,
+        coarse,
+    ) {
+        Value::Number(x) => x,
+        other => panic!("{other:?}"),
+    };
+    let cases = [
+        ("restitution", 0.6, 1, false, 0.61),
+        ("restitution", 0.6, -7, true, 0.0),
+        ("restitution", 0.95, 1, true, 1.0),
+        ("contact_time", 7e-6, 1, false, 7.7e-6),
+        ("contact_time", 7.7e-6, -1, false, 7e-6),
+        ("contact_time", 7e-6, 2, true, 2.8e-5),
+        ("s0", 0.0, 1, false, 1e-9),
+        ("s0", 1e-9, -1, false, 0.0),
+        ("v0", -0.01, 1, false, 0.0),
+        ("steps_per_contact", 2.0, -1, true, 2.0),
+    ];
+    for (name, from, steps, coarse, to) in cases {
+        let moved = press(name, from, steps, coarse);
+        assert!(
+            (moved - to).abs() <= 1e-12 * to.abs(),
+            "{name} {from} {steps}: {moved}"
+        );
+    }
+    let n = find("n").expect("a row");
+    assert_eq!(nudge(n, Value::Whole(3), -1, true), Value::Whole(1));
+    let floor = find("floor_contact").expect("a row");
+    let word = Value::Choice("same-spring");
+    assert_eq!(
+        nudge(floor, word, 1, false),
+        Value::Choice("same-restitution")
+    );
+    assert_eq!(nudge(floor, word, -2, false), word);
+}

@@ -1,0 +1,144 @@
+//! The one place where facts become a scene.
+
+use super::parameters::{self, Value};
+use super::{Facts, Floor, Scene, SceneError, Start};
+
+/// Largest width of the diameters, over the mean diameter: beads keep 1/20 of it.
+const WIDEST: f64 = 1.9;
+
+/// Slowest approach to a floor without gravity, m/s; slower ones have energies
+/// that are lost among the rounding errors.
+const SLOWEST: f64 = 1e-9;
+
+impl Scene {
+    /// Checks the facts: every value in the range of the parameter table, and all
+    /// of them consistent.
+    ///
+    /// # Errors
+    /// The first thing found wrong, in one sentence.
+    pub fn new(facts: Facts) -> Result<Self, SceneError> {
+        for parameter in parameters::table() {
+            // α only repeats what amplitude, frequency and gravity say.
+            if parameter.name != "alpha"
+                && let Some(value) = (parameter.get)(&facts)
+            {
+                parameter.check(value)?;
+            }
+        }
+        check_frame(&facts)?;
+        check_duration(&facts)?;
+        check_width(&facts)?;
+        check_restitution(&facts)?;
+        check_start(&facts)?;
+        Ok(Self(facts))
+    }
+
+    /// The facts, to be edited and checked again.
+    pub fn facts(&self) -> &Facts {
+        &self.0
+    }
+}
+
+fn check_width(facts: &Facts) -> Result<(), SceneError> {
+    if facts.width <= WIDEST * facts.diameter {
+        return Ok(());
+    }
+    let reason = format!(
+        "must be at most {WIDEST} times the diameter {}, so that every bead has a size",
+        Value::Number(facts.diameter)
+    );
+    Err(inconsistent("width", Value::Number(facts.width), reason))
+}
+
+fn check_restitution(facts: &Facts) -> Result<(), SceneError> {
+    if facts.restitution > 0.0 || !facts.is_md() {
+        return Ok(());
+    }
+    let reason = "must be above 0 and at most 1 for soft contacts, whose damping is \
+                  -ln(restitution)/contact_time; hard spheres (method ed) may have 0";
+    Err(inconsistent(
+        "restitution",
+        Value::Number(facts.restitution),
+        reason,
+    ))
+}
+
+fn check_duration(facts: &Facts) -> Result<(), SceneError> {
+    if facts.gravity.is_some() && facts.duration.is_none() {
+        return Err(SceneError::Missing {
+            name: "duration",
+            belongs_to: "scenes with gravity",
+        });
+    }
+    Ok(())
+}
+
+/// Checks what does not depend on any number: what needs gravity has it.
+pub(in crate::scene) fn check_frame(facts: &Facts) -> Result<(), SceneError> {
+    if facts.gravity.is_some() {
+        return Ok(());
+    }
+    if matches!(facts.floor, Floor::Vibrating { .. }) {
+        let reason = "needs gravity, without which no bead comes back to the plate";
+        return Err(inconsistent("floor", Value::Choice("vibrating"), reason));
+    }
+    if facts.start == Start::Resting {
+        let reason = "needs gravity, which holds the column on the floor";
+        return Err(inconsistent("start", Value::Choice("resting"), reason));
+    }
+    Ok(())
+}
+
+fn check_start(facts: &Facts) -> Result<(), SceneError> {
+    let Start::Separated { v0, .. } = facts.start else {
+        return Ok(());
+    };
+    if facts.gravity.is_none() && v0 > -SLOWEST {
+        let reason = format!(
+            "must be at most -{}, towards the floor: without gravity nothing else brings \
+             the column there",
+            Value::Number(SLOWEST)
+        );
+        return Err(inconsistent("v0", Value::Number(v0), reason));
+    }
+    if facts.sigma0().is_some_and(|sigma0| !sigma0.is_finite()) {
+        let reason = "is too small: s0/(|v0| contact_time) is beyond all numbers";
+        return Err(inconsistent("v0", Value::Number(v0), reason));
+    }
+    Ok(())
+}
+
+fn inconsistent(name: &'static str, value: Value, reason: impl Into<String>) -> SceneError {
+    SceneError::Inconsistent {
+        name,
+        value: value.to_string(),
+        reason: reason.into(),
+    }
+}
+
+/// A floor collision as in Fig. 1(b), for tests.
+#[cfg(test)]
+pub(in crate::scene) fn example() -> Facts {
+    Facts {
+        n: 10,
+        diameter: 1e-3,
+        width: 0.0,
+        seed: 1,
+        restitution: 0.9,
+        floor_contact: super::FloorContact::SameSpring,
+        start: Start::Separated {
+            s0: 1e-6,
+            jitter: false,
+            v0: -0.2,
+        },
+        gravity: None,
+        floor: Floor::Fixed,
+        method: super::Method::Md {
+            contact_time: 7e-6,
+            integrator: super::Integrator::Gear,
+            steps_per_contact: 100.0,
+            attraction: true,
+        },
+        duration: None,
+    }
+}
