@@ -1,0 +1,126 @@
+//! How a column moves. Pure: no I/O, no thread, no clock, no terminal.
+//!
+//! The state is kept in gaps (g₁ between floor and bead 1, gᵢ between beads i−1
+//! and i; overlap is −g): differences of heights lose every digit that a small
+//! overlap has. In code gap and bead indices count from 0. Masses are in units of
+//! the mean bead's mass, so energies are per mean bead mass, m²/s².
+
+mod bounce;
+mod column;
+mod contacts;
+mod ed;
+mod ledger;
+mod linear_law;
+mod md;
+mod moment;
+mod observation;
+mod plate;
+mod state;
+
+pub use linear_law::{LinearLaw, floor_restitution};
+pub use observation::{Energy, Observation};
+pub use state::{Handover, State};
+
+use crate::scene::Scene;
+
+/// Why an engine cannot go on.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum EngineError {
+    /// The integration blew up.
+    #[error(
+        "the integration became unstable at t = {time:.6e} s: \
+         {steps_per_contact} steps in a contact time are too few for this column"
+    )]
+    Unstable {
+        /// When it was noticed, s.
+        time: f64,
+        /// The step in force.
+        steps_per_contact: f64,
+    },
+    /// Hard spheres produced a state that cannot be.
+    #[error("the event engine lost the column at t = {time:.6e} s, bead {bead}: {what}")]
+    Lost {
+        /// When, s.
+        time: f64,
+        /// Which bead, counted from 1 at the floor.
+        bead: usize,
+        /// What was found.
+        what: &'static str,
+    },
+}
+
+/// How an [`Engine::advance`] ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// The time asked for was reached.
+    Reached,
+    /// The budget of steps or events was spent first.
+    OutOfBudget,
+    /// The time was reached, and the floor collision is over: no contact and no
+    /// collision to come that could change the kinetic energy by 10⁻¹² of itself.
+    Over,
+}
+
+/// A column in motion.
+///
+/// The same scene, seed and edits give the same bits. Splitting an advance in two
+/// gives the same bits too.
+pub trait Engine: Send {
+    /// Simulated time, s. A fixed-step engine stops at its last grid point.
+    fn time(&self) -> f64;
+
+    /// Moves on to `until`, s, in at most `budget` steps or events.
+    ///
+    /// # Errors
+    /// [`EngineError`] when the engine cannot go on; its state stays as it was then.
+    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError>;
+
+    /// Whether the floor collision is over, as in [`Outcome::Over`].
+    fn is_over(&self) -> bool;
+
+    /// The time of the next event, s, for engines that know it.
+    fn next_event(&self) -> Option<f64>;
+
+    /// Fills in what can be seen now, reusing the buffers of `into`.
+    fn observe(&self, into: &mut Observation);
+
+    /// The whole state, to go on with in another engine or after an edit.
+    fn state(&self) -> State;
+}
+
+/// Builds the engine of a scene, at its start or from the state of another engine
+/// of the same column (an edit, or a change of method).
+///
+/// The [`Handover`] says what had to be resolved to go on from that state.
+///
+/// # Panics
+/// If the state has another number of beads than the scene.
+pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover) {
+    let (state, handover) = match from {
+        None => (State::initial(scene), Handover::default()),
+        Some(state) => state.adopt(scene),
+    };
+    let engine = if scene.is_md() {
+        md::build(scene, state)
+    } else {
+        ed::build(scene, state)
+    };
+    (engine, handover)
+}
+
+/// The largest part of the kinetic energy that collisions still to come can take, of
+/// free beads with these velocities above a fixed floor.
+fn most_to_lose(velocities: &[f64], masses: &[f64]) -> f64 {
+    let mut last = velocities.to_vec();
+    column::totally_inelastic(&mut last, masses, true);
+    let energy = |v: &[f64]| v.iter().zip(masses).map(|(v, m)| m * v * v).sum::<f64>();
+    // Directly: a difference of energies would hide losses below 10⁻¹⁶ of them.
+    let lost: f64 = velocities
+        .iter()
+        .zip(&last)
+        .zip(masses)
+        .map(|((v, u), m)| m * (v - u) * (v + u))
+        .sum();
+    let now = energy(velocities);
+    if now > 0.0 { lost / now } else { 0.0 }
+}

@@ -1,0 +1,132 @@
+//! The beads: masses, and the constants of their contacts.
+
+use super::linear_law::{LinearLaw, pair_restitution, same_spring_floor};
+use crate::scene::{FloorContact, Scene, diameters};
+
+/// Masses of the beads of a scene, in mean bead masses (m ∝ d³).
+pub(crate) fn masses(scene: &Scene) -> Vec<f64> {
+    diameters(scene)
+        .iter()
+        .map(|d| (d / scene.diameter).powi(3))
+        .collect()
+}
+
+/// Reduced mass of the contact at gap `i`: that of bead 1 on the floor for gap 0.
+pub(crate) fn reduced_mass(masses: &[f64], i: usize) -> f64 {
+    if i == 0 {
+        masses[0]
+    } else {
+        masses[i] * masses[i - 1] / (masses[i] + masses[i - 1])
+    }
+}
+
+/// Restitution of every contact of a column of hard beads, as its soft twin has it:
+/// all contacts share K and D_n, so unequal pairs rebound unequally.
+pub(crate) fn restitutions(scene: &Scene, masses: &[f64]) -> Vec<f64> {
+    let floor = match scene.floor_contact {
+        FloorContact::SameSpring => same_spring_floor(scene.restitution, masses[0]),
+        FloorContact::SameRestitution => scene.restitution,
+    };
+    let pair = |i| {
+        let reduced = reduced_mass(masses, i);
+        // An equal pair has exactly ε; the formula would round it.
+        if reduced == 0.5 {
+            scene.restitution
+        } else {
+            pair_restitution(scene.restitution, reduced)
+        }
+    };
+    std::iter::once(floor)
+        .chain((1..masses.len()).map(pair))
+        .collect()
+}
+
+/// Spring and dashpot of one contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Spring {
+    /// K, 1/s².
+    pub stiffness: f64,
+    /// c, 1/s: the force is −K g − c ġ.
+    pub dashpot: f64,
+}
+
+/// Spring and dashpot of every contact of a soft column; index 0 is the floor's.
+pub(crate) fn springs(scene: &Scene, masses: &[f64], contact_time: f64) -> Vec<Spring> {
+    let law = LinearLaw::new(scene.restitution, contact_time);
+    let floor = match scene.floor_contact {
+        FloorContact::SameSpring => Spring {
+            stiffness: law.stiffness(),
+            dashpot: law.mu() * masses[0],
+        },
+        FloorContact::SameRestitution => Spring {
+            stiffness: law.omega0_squared() * masses[0],
+            dashpot: 2.0 * law.mu() * masses[0],
+        },
+    };
+    // c = D_n m_ij with m_ij twice the reduced mass, Eq. (3).
+    let pair = |i| Spring {
+        stiffness: law.stiffness(),
+        dashpot: 2.0 * law.mu() * reduced_mass(masses, i),
+    };
+    std::iter::once(floor)
+        .chain((1..masses.len()).map(pair))
+        .collect()
+}
+
+/// The velocities nearest to `velocities` (in the kinetic-energy norm) that approach
+/// nowhere, above a floor of velocity 0 where `on_floor`: what the beads would do if
+/// every collision still to come were totally inelastic. Pools adjacent violators.
+///
+/// No sequence of contacts can end with less kinetic energy: contact impulses push
+/// apart, so the end state u obeys ⟨u − v, k⟩ ≥ 0 for every k that does not approach,
+/// the projection v̂ included, hence ⟨u, v̂⟩ ≥ ⟨v, v̂⟩ = |v̂|² and |u| ≥ |v̂|.
+pub(crate) fn totally_inelastic(velocities: &mut [f64], masses: &[f64], on_floor: bool) {
+    let mut pools: Vec<(f64, f64, usize)> = Vec::with_capacity(velocities.len());
+    for (&v, &m) in velocities.iter().zip(masses) {
+        let mut pool = (v, m, 1);
+        while let Some(&(below, mass, count)) = pools.last() {
+            if below <= pool.0 {
+                break;
+            }
+            pools.pop();
+            let total = mass + pool.1;
+            pool = (
+                (below * mass + pool.0 * pool.1) / total,
+                total,
+                count + pool.2,
+            );
+        }
+        pools.push(pool);
+    }
+    let mut i = 0;
+    for (v, _, count) in pools {
+        let v = if on_floor { v.max(0.0) } else { v };
+        velocities[i..i + count].fill(v);
+        i += count;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pooling_conserves_momentum_and_orders() {
+        let masses = [1.0, 2.0, 0.5, 1.0, 3.0];
+        let before = [0.3, -1.0, 0.7, 0.6, 0.65];
+        let mut after = before;
+        totally_inelastic(&mut after, &masses, false);
+        let momentum = |v: &[f64]| v.iter().zip(&masses).map(|(v, m)| v * m).sum::<f64>();
+        assert!((momentum(&before) - momentum(&after)).abs() < 1e-15);
+        assert!(after.windows(2).all(|w| w[0] <= w[1]));
+        let energy = |v: &[f64]| v.iter().zip(&masses).map(|(v, m)| m * v * v).sum::<f64>();
+        assert!(energy(&after) < energy(&before));
+    }
+
+    #[test]
+    fn a_column_sticks_to_the_floor() {
+        let mut v = [-0.2; 10];
+        totally_inelastic(&mut v, &[1.0; 10], true);
+        assert!(v.iter().all(|&v| v == 0.0));
+    }
+}

@@ -1,0 +1,449 @@
+//! Hard collisions, event driven (Sec. II B): exact flight from event to event.
+//!
+//! Every gap keeps its value and rate at a time of its own. Between beads in flight a
+//! gap changes linearly; of all gaps only one, between the floor (or the stack that
+//! rides it) and the lowest free bead, feels gravity and the plate. A collision
+//! changes three gaps, so an event costs O(log N).
+
+mod cascade;
+mod chatter;
+mod ground;
+mod tournament;
+
+use super::column::{masses, reduced_mass, restitutions};
+use super::ledger::Sum;
+use super::moment::Moment;
+use super::observation::Observation;
+use super::state::{State, weight};
+use super::{Engine, EngineError, Outcome};
+use crate::scene::{CollisionRule, Floor, Method, Scene, Start};
+use chatter::Chatter;
+use ground::{Free, Ground, Shaken, Weight, closing};
+use tournament::Tournament;
+
+/// Part of the scene's own speed below which an approach counts as none: the
+/// threshold of the LRV procedure.
+const LRV_THRESHOLD: f64 = 1e-10;
+/// Part of the time √(d/g) that what is left of a bouncing sequence may last for the
+/// contact to count as resting.
+const REST: f64 = 1e-9;
+/// A floor collision is over when what is to come cannot change E by this part of it.
+const OVER: f64 = 1e-12;
+
+/// Builds the engine of an ED scene.
+pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
+    let plate = state.plate;
+    match (scene.floor, scene.gravity) {
+        (Floor::Vibrating { .. }, gravity) => {
+            with_rule(scene, state, Shaken::new(gravity.unwrap_or(0.0), plate))
+        }
+        (Floor::Fixed, Some(gravity)) => with_rule(scene, state, Weight { gravity, plate }),
+        (Floor::Fixed, None) => with_rule(scene, state, Free { plate }),
+    }
+}
+
+fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box<dyn Engine> {
+    match scene.method {
+        Method::Ed {
+            rule: CollisionRule::Tc { contact_time },
+        } => Box::new(Ed::new(
+            scene,
+            state,
+            ground,
+            LastCollisions::new(scene.n, contact_time),
+        )),
+        _ => Box::new(Ed::new(scene, state, ground, Always)),
+    }
+}
+
+/// Whether a collision loses energy.
+trait Rule: Send {
+    /// Whether a collision of beads `below` (none: the floor) and `above` at `t` is
+    /// elastic; it is noted as their last.
+    fn elastic(&mut self, below: Option<usize>, above: usize, t: f64) -> bool;
+    /// Moves the origin of time on.
+    fn shift(&mut self, shift: f64);
+}
+
+/// Every collision does.
+struct Always;
+
+impl Rule for Always {
+    fn elastic(&mut self, _: Option<usize>, _: usize, _: f64) -> bool {
+        false
+    }
+    fn shift(&mut self, _: f64) {}
+}
+
+/// The TC model of Luding & McNamara (1998): not within t_c of a bead's last one.
+struct LastCollisions {
+    contact_time: f64,
+    last: Vec<f64>,
+}
+
+impl LastCollisions {
+    fn new(n: usize, contact_time: f64) -> Self {
+        Self {
+            contact_time,
+            last: vec![f64::NEG_INFINITY; n],
+        }
+    }
+}
+
+impl Rule for LastCollisions {
+    fn elastic(&mut self, below: Option<usize>, above: usize, t: f64) -> bool {
+        let mut elastic = false;
+        for bead in below.into_iter().chain([above]) {
+            elastic |= t - self.last[bead] < self.contact_time;
+            self.last[bead] = t;
+        }
+        elastic
+    }
+
+    fn shift(&mut self, shift: f64) {
+        for last in &mut self.last {
+            *last -= shift;
+        }
+    }
+}
+
+/// A gap as it was at a time of its own.
+#[derive(Debug, Clone, Copy)]
+struct Gap {
+    g: f64,
+    w: f64,
+    t: f64,
+}
+
+/// A hard column.
+struct Ed<G, R> {
+    ground: G,
+    rule: R,
+    masses: Vec<f64>,
+    reduced: Vec<f64>,
+    restitution: Vec<f64>,
+    gravity: f64,
+    gaps: Vec<Gap>,
+    /// How many beads rest on the floor and move with it.
+    stack: usize,
+    /// When each gap closes; then the stack's take-off, then the epoch's next move.
+    queue: Tournament,
+    /// Rates of touching gaps during a cascade.
+    approach: Tournament,
+    /// Which cascade a gap last collided in.
+    collided: Vec<u64>,
+    cascades: u64,
+    /// Time of the epoch: `origin`, s, and `ticks` of the ground's.
+    origin: f64,
+    ticks: u64,
+    /// Now, s from the epoch.
+    now: f64,
+    /// Energy per mass of the floor when the stack last changed.
+    ride_from: f64,
+    threshold: f64,
+    chatter: Chatter,
+    rest_time: f64,
+    check_at: u64,
+    over: bool,
+    state: State,
+}
+
+impl<G: Ground, R: Rule> Ed<G, R> {
+    fn new(scene: &Scene, state: State, ground: G, rule: R) -> Self {
+        let n = scene.n;
+        let masses = masses(scene);
+        let speed = match (scene.gravity, scene.start) {
+            (Some(gravity), _) => (gravity * scene.diameter).sqrt(),
+            (None, Start::Separated { v0, .. }) => v0.abs(),
+            (None, Start::Resting) => 0.0,
+        };
+        let mut ed = Self {
+            reduced: (0..n).map(|i| reduced_mass(&masses, i)).collect(),
+            restitution: restitutions(scene, &masses),
+            gravity: weight(scene),
+            gaps: state
+                .gaps
+                .iter()
+                .zip(&state.rates)
+                .map(|(&g, &w)| Gap { g, w, t: 0.0 })
+                .collect(),
+            stack: 0,
+            queue: Tournament::new(n + 2),
+            approach: Tournament::new(n),
+            collided: vec![0; n],
+            cascades: 0,
+            origin: state.time,
+            ticks: 0,
+            now: 0.0,
+            ride_from: 0.0,
+            threshold: LRV_THRESHOLD * speed,
+            chatter: Chatter::new(scene, &masses),
+            rest_time: scene
+                .gravity
+                .map_or(0.0, |gravity| REST * (scene.diameter / gravity).sqrt()),
+            check_at: 0,
+            over: false,
+            masses,
+            ground,
+            rule,
+            state,
+        };
+        ed.begin();
+        ed
+    }
+
+    /// Finds what rests, opens the ledger, and schedules every gap.
+    fn begin(&mut self) {
+        if G::PULLS && self.ground.pressing(0.0) > 0.0 {
+            let resting = |gap: &Gap| gap.g <= 0.0 && gap.w.abs() <= self.threshold;
+            self.stack = self.gaps.iter().take_while(|gap| resting(gap)).count();
+        }
+        for gap in &mut self.gaps[..self.stack] {
+            (gap.g, gap.w) = (0.0, 0.0);
+        }
+        self.ride_from = self.floor_energy(0.0);
+        let books = &mut self.state.books;
+        for (i, gap) in self.gaps.iter().enumerate() {
+            books.contacts.note(
+                i,
+                gap.g <= 0.0 && gap.w.abs() <= self.threshold,
+                self.state.time,
+            );
+        }
+        let (gaps, rates) = self.gaps_and_rates(0.0);
+        let mut energy = self.moment(&gaps, &rates, 0.0).energy();
+        let error = self.state.ledger_error;
+        self.state.books.ledger.open(&mut energy, error);
+        for i in 0..self.gaps.len() {
+            self.schedule(i);
+        }
+        self.schedule_take_off();
+        self.queue.set(self.gaps.len() + 1, self.ground.tick());
+    }
+
+    /// The epoch, s from the origin. Ticks are powers of two, so that moving the epoch
+    /// changes no bit of any absolute time.
+    fn epoch(&self) -> f64 {
+        if self.ticks == 0 {
+            0.0
+        } else {
+            self.ticks as f64 * self.ground.tick()
+        }
+    }
+
+    /// Simulated time of `t`, s.
+    fn absolute(&self, t: f64) -> f64 {
+        self.origin + (self.epoch() + t)
+    }
+
+    fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
+        (0..self.gaps.len()).map(|i| self.at(i, t)).unzip()
+    }
+
+    fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Moment<'a> {
+        Moment {
+            time: self.absolute(t),
+            gaps,
+            rates,
+            plate: self.ground.plate(t),
+            masses: &self.masses,
+            gravity: self.gravity,
+            springs: &[],
+        }
+    }
+
+    /// Gap `i` and its rate at time `t`.
+    fn at(&self, i: usize, t: f64) -> (f64, f64) {
+        let Gap { g, w, t: t0 } = self.gaps[i];
+        if G::PULLS && i == self.stack {
+            self.ground.fall(t0, g, w, t)
+        } else {
+            (g + w * (t - t0), w)
+        }
+    }
+
+    /// Brings gap `i` to time `t`.
+    fn sync(&mut self, i: usize, t: f64) {
+        let (g, w) = self.at(i, t);
+        self.gaps[i] = Gap {
+            g: g.max(0.0),
+            w,
+            t,
+        };
+    }
+
+    fn schedule(&mut self, i: usize) {
+        let Gap { g, w, t } = self.gaps[i];
+        let time = match () {
+            () if i < self.stack => f64::INFINITY,
+            () if G::PULLS && i == self.stack => self.ground.hit(t, g, w),
+            () => closing(t, g, w),
+        };
+        self.queue.set(i, time);
+    }
+
+    fn schedule_take_off(&mut self) {
+        if G::PULLS {
+            let time = if self.stack > 0 {
+                self.ground.take_off(self.now)
+            } else {
+                f64::INFINITY
+            };
+            self.queue.set(self.gaps.len(), time);
+        }
+    }
+
+    /// Kinetic and gravitational energy per mass of what moves with the floor.
+    fn floor_energy(&self, t: f64) -> f64 {
+        let plate = self.ground.plate(t);
+        0.5 * plate.velocity().powi(2) + self.gravity * plate.position()
+    }
+
+    fn stack_mass(&self) -> f64 {
+        self.masses[..self.stack].iter().sum()
+    }
+
+    /// Changes which beads ride the floor, and books the work done on them so far.
+    fn set_stack(&mut self, stack: usize, t: f64) {
+        let energy = self.floor_energy(t);
+        let work = self.stack_mass() * (energy - self.ride_from);
+        self.state.books.ledger.plate_work.add(work);
+        self.ride_from = energy;
+        self.stack = stack;
+    }
+
+    /// The plate falls away from under the stack, whose beads go on together.
+    fn take_off(&mut self, t: f64) {
+        let stack = self.stack;
+        if stack < self.gaps.len() {
+            self.sync(stack, t);
+        }
+        self.set_stack(0, t);
+        for gap in &mut self.gaps[..stack] {
+            *gap = Gap { g: 0.0, w: 0.0, t };
+        }
+        let time = self.absolute(t);
+        self.state.books.contacts.note(0, false, time);
+        for i in 0..=stack.min(self.gaps.len() - 1) {
+            self.schedule(i);
+        }
+        self.schedule_take_off();
+    }
+
+    /// Moves the epoch on by one tick, so that times keep their digits.
+    fn move_epoch(&mut self) {
+        let tick = self.ground.tick();
+        self.ground.move_epoch();
+        self.ticks += 1;
+        for gap in &mut self.gaps {
+            gap.t -= tick;
+        }
+        self.rule.shift(tick);
+        self.chatter.shift(tick);
+        self.queue.shift(tick);
+        self.now -= tick;
+        self.queue.set(self.gaps.len() + 1, tick);
+    }
+
+    /// Whether a floor collision without gravity is over, looked at now and then.
+    fn look_whether_over(&mut self) {
+        if G::PULLS || self.over {
+            return;
+        }
+        let never = self.queue.first().1.is_infinite();
+        if !never && self.state.books.events < self.check_at {
+            return;
+        }
+        self.check_at = self.state.books.events + self.gaps.len() as u64;
+        let mut v = 0.0;
+        let velocities: Vec<f64> = self
+            .gaps
+            .iter()
+            .map(|gap| {
+                v += gap.w;
+                v
+            })
+            .collect();
+        self.over = never || super::most_to_lose(&velocities, &self.masses) <= OVER;
+    }
+}
+
+impl<G: Ground, R: Rule> Engine for Ed<G, R> {
+    fn time(&self) -> f64 {
+        self.absolute(self.now)
+    }
+
+    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+        let last = self.state.books.events.saturating_add(budget);
+        let n = self.gaps.len();
+        loop {
+            let (i, t) = self.queue.first();
+            // As `next_event` says it, so that advancing to there includes the event.
+            if self.absolute(t) > until || t.is_infinite() {
+                self.now = self.now.max((until - self.origin) - self.epoch());
+                self.look_whether_over();
+                return Ok(if self.over {
+                    Outcome::Over
+                } else {
+                    Outcome::Reached
+                });
+            }
+            if self.state.books.events >= last {
+                return Ok(Outcome::OutOfBudget);
+            }
+            self.now = self.now.max(t);
+            match i.cmp(&n) {
+                std::cmp::Ordering::Less => self.collide_at(i, self.now)?,
+                std::cmp::Ordering::Equal => self.take_off(self.now),
+                std::cmp::Ordering::Greater => self.move_epoch(),
+            }
+            self.look_whether_over();
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.over
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        let n = self.gaps.len();
+        let next = (0..=n)
+            .map(|i| self.queue.get(i))
+            .fold(f64::INFINITY, f64::min);
+        next.is_finite().then(|| self.absolute(next))
+    }
+
+    fn observe(&self, into: &mut Observation) {
+        let (gaps, rates) = self.gaps_and_rates(self.now);
+        let mut books = self.state.books.clone();
+        books.ledger.plate_work = self.work_so_far();
+        self.moment(&gaps, &rates, self.now).observe(&books, into);
+    }
+
+    fn state(&self) -> State {
+        let (gaps, rates) = self.gaps_and_rates(self.now);
+        let mut books = self.state.books.clone();
+        books.ledger.plate_work = self.work_so_far();
+        let moment = self.moment(&gaps, &rates, self.now);
+        let mut energy = moment.energy();
+        books.ledger.close(&mut energy);
+        State {
+            time: self.time(),
+            plate: self.ground.plate(self.now),
+            ledger_error: books.ledger.error(&energy),
+            springs: Vec::new(),
+            books,
+            gaps,
+            rates,
+        }
+    }
+}
+
+impl<G: Ground, R: Rule> Ed<G, R> {
+    /// Work of the plate, the stack's ride since it last changed included.
+    fn work_so_far(&self) -> Sum {
+        let mut work = self.state.books.ledger.plate_work;
+        work.add(self.stack_mass() * (self.floor_energy(self.now) - self.ride_from));
+        work
+    }
+}

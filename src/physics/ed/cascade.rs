@@ -1,0 +1,265 @@
+//! What happens at one instant: a collision, all that touches it, and what rests then.
+
+use super::ground::Ground;
+use super::{Ed, Gap, Rule};
+use crate::physics::EngineError;
+use crate::physics::bounce::Arrival;
+use crate::physics::column::totally_inelastic;
+
+/// k(1 − ε) of k touching beads above which nothing comes back from the far end: what
+/// a wave carries there and back falls as e^{−k(1−ε)}, its energy as the square, 10⁻¹².
+const ABSORBING: f64 = 14.0;
+
+impl<G: Ground, R: Rule> Ed<G, R> {
+    /// Gap `i` closes at time `t`: its collision, those of the beads in contact with
+    /// it, and what comes to rest.
+    pub(super) fn collide_at(&mut self, i: usize, t: f64) -> Result<(), EngineError> {
+        self.sync(i, t);
+        self.gaps[i].g = 0.0;
+        self.chatter.collides(i, t);
+        if !self.gaps[i].w.is_finite() {
+            let what = "a relative velocity is not finite";
+            return Err(EngineError::Lost {
+                time: self.absolute(t),
+                bead: i + 1,
+                what,
+            });
+        }
+        let (low, high) = self.touching_block(i, t);
+        if low == 0 {
+            self.floor_contact_begins(t);
+        }
+        self.cascades += 1;
+        self.largest_velocity_first(low, high, t);
+        self.stick(low, high, t);
+        if low == 0 {
+            self.settle_on_floor(high, t);
+        }
+        self.note(low, high, t);
+        for j in low.saturating_sub(1)..=(high + 1).min(self.gaps.len() - 1) {
+            self.schedule(j);
+        }
+        if low == 0 {
+            self.schedule_take_off();
+        }
+        Ok(())
+    }
+
+    /// The gaps around `i` that touch, brought to time `t` together with the next gap
+    /// on either side, whose rate the cascade will change.
+    fn touching_block(&mut self, i: usize, t: f64) -> (usize, usize) {
+        let (mut low, mut high) = (i, i);
+        while low > 0 {
+            self.sync(low - 1, t);
+            if !self.chatter.touch(low - 1, self.gaps[low - 1].g) {
+                break;
+            }
+            low -= 1;
+        }
+        while high + 1 < self.gaps.len() {
+            self.sync(high + 1, t);
+            if !self.chatter.touch(high + 1, self.gaps[high + 1].g) {
+                break;
+            }
+            high += 1;
+        }
+        (low, high)
+    }
+
+    /// Sec. II B: of all touching pairs that approach, the fastest collides, until
+    /// none approaches faster than the threshold.
+    fn largest_velocity_first(&mut self, low: usize, high: usize, t: f64) {
+        if low == high {
+            if self.gaps[low].w < -self.threshold {
+                self.collide(low, t);
+            }
+            return;
+        }
+        for j in low..=high {
+            self.approach.set(j, self.gaps[j].w);
+        }
+        for _ in 0..self.most_collisions(high - low + 1) {
+            let (j, w) = self.approach.first();
+            if w >= -self.threshold {
+                break;
+            }
+            self.collide(j, t);
+            for k in j.saturating_sub(1).max(low)..=(j + 1).min(high) {
+                self.approach.set(k, self.gaps[k].w);
+            }
+        }
+        for j in low..=high {
+            self.approach.set(j, f64::INFINITY);
+        }
+    }
+
+    /// Collisions of a cascade of `k` gaps after which what is left of it is taken as
+    /// totally inelastic. Waves cross k beads in k²/2 collisions; only a cascade in
+    /// collapse has many more, of the order of k³ until it is all spent.
+    fn most_collisions(&self, k: usize) -> usize {
+        let elastic = self.restitution.last().copied().unwrap_or(1.0);
+        if k as f64 * (1.0 - elastic) > ABSORBING {
+            10_000 + 20 * k
+        } else {
+            1000 * k + 4 * k * k
+        }
+    }
+
+    /// One collision of the beads at gap `j`, whose rates are of time `t`.
+    fn collide(&mut self, j: usize, t: f64) {
+        let w = self.gaps[j].w;
+        let elastic = self.rule.elastic(j.checked_sub(1), j, t);
+        let restitution = if elastic { 1.0 } else { self.restitution[j] };
+        let impulse = -(1.0 + restitution) * self.reduced[j] * w;
+        self.gaps[j].w = -restitution * w;
+        if j + 1 < self.gaps.len() {
+            self.gaps[j + 1].w -= impulse / self.masses[j];
+        }
+        if j > 0 {
+            self.gaps[j - 1].w -= impulse / self.masses[j - 1];
+        } else if G::PULLS {
+            let work = impulse * self.ground.plate(t).velocity();
+            self.state.books.ledger.plate_work.add(work);
+        }
+        let lost = 0.5 * self.reduced[j] * (1.0 - restitution * restitution) * w * w;
+        self.state.books.ledger.lost.add(lost);
+        self.state.books.events += 1;
+        self.collided[j] = self.cascades;
+    }
+
+    /// Touching beads that still approach, slower than the threshold (or after too
+    /// many collisions), go on together, with their momentum.
+    fn stick(&mut self, low: usize, high: usize, t: f64) {
+        if self.gaps[low..=high].iter().all(|gap| gap.w >= 0.0) {
+            return;
+        }
+        // Velocities relative to the floor, or to the lowest bead of the block.
+        let first = low.saturating_sub(1);
+        let on_floor = low == 0;
+        let mut v = 0.0;
+        let rates = self.gaps[low..=high].iter().map(|gap| gap.w);
+        let mut velocities: Vec<f64> = if on_floor { Vec::new() } else { vec![0.0] };
+        velocities.extend(rates.map(|w| {
+            v += w;
+            v
+        }));
+        let before = velocities.clone();
+        totally_inelastic(&mut velocities, &self.masses[first..=high], on_floor);
+        self.set_velocities(first, &before, &velocities, t);
+    }
+
+    /// Gives the beads from `first` on the velocities `after` in place of `before`,
+    /// both in the frame of the floor or of any other body, and books the difference.
+    fn set_velocities(&mut self, first: usize, before: &[f64], after: &[f64], t: f64) {
+        let (mut lost, mut momentum) = (0.0, 0.0);
+        for (k, (u, v)) in before.iter().zip(after).enumerate() {
+            let (bead, change) = (first + k, v - u);
+            let m = self.masses[bead];
+            lost -= 0.5 * m * change * (u + v);
+            momentum += m * change;
+            // Two beads of one pool must not part by a rounding.
+            let together = if k == 0 {
+                first == 0 && *v == 0.0
+            } else {
+                after[k - 1] == *v
+            };
+            self.gaps[bead].w = if together {
+                0.0
+            } else {
+                self.gaps[bead].w + change
+            };
+            if bead + 1 < self.gaps.len() {
+                self.gaps[bead + 1].w -= change;
+            }
+        }
+        let books = &mut self.state.books.ledger;
+        books.lost.add(lost);
+        // Only the floor can take momentum; without it the pools conserve theirs.
+        if G::PULLS && first == 0 {
+            books
+                .plate_work
+                .add(momentum * self.ground.plate(t).velocity());
+        }
+    }
+
+    /// Which beads of a block on the floor rest now: from below, each whose whole
+    /// remaining sequence of bounces, 2u/(a(1 − ε)), is shorter than the rest time.
+    fn settle_on_floor(&mut self, high: usize, t: f64) {
+        let pressing = if G::PULLS {
+            self.ground.pressing(t)
+        } else {
+            0.0
+        };
+        let mut stack = 0;
+        if pressing > 0.0 {
+            for j in 0..=high {
+                let slowest = 0.5 * self.rest_time * pressing * (1.0 - self.restitution[j]);
+                if self.gaps[j].w > slowest {
+                    break;
+                }
+                self.rest(j, t);
+                stack = j + 1;
+            }
+        }
+        if stack != self.stack {
+            self.set_stack(stack, t);
+        }
+        if stack == self.gaps.len() {
+            self.state.books.bounce.rest();
+        }
+    }
+
+    /// Bead `j`, about to leave the resting stack ever so slowly, stays on it.
+    fn rest(&mut self, j: usize, t: f64) {
+        let Gap { g, w, .. } = self.gaps[j];
+        self.gaps[j] = Gap { g: 0.0, w: 0.0, t };
+        if w != 0.0 {
+            let m = self.masses[j];
+            if j + 1 < self.gaps.len() {
+                self.gaps[j + 1].w += w;
+            }
+            self.state.books.ledger.lost.add(0.5 * m * w * w);
+            let work = -m * w * self.ground.plate(t).velocity();
+            self.state.books.ledger.plate_work.add(work);
+        }
+        if g != 0.0 {
+            // The last of a chattering gap closes: all above it come down by that much.
+            let above: f64 = self.masses[j..].iter().sum();
+            self.state.books.ledger.lost.add(above * self.gravity * g);
+        }
+    }
+
+    /// The column arrives at the floor, if the floor contact is new.
+    fn floor_contact_begins(&mut self, t: f64) {
+        if !self.state.books.contacts.closed()[0] {
+            let arrival = self.arrival(t);
+            self.state.books.bounce.begin(arrival);
+        }
+    }
+
+    fn arrival(&self, t: f64) -> Arrival {
+        let (gaps, rates) = self.gaps_and_rates(t);
+        self.moment(&gaps, &rates, t).arrival()
+    }
+
+    /// Notes which contacts of a block began, ended, or did both.
+    fn note(&mut self, low: usize, high: usize, t: f64) {
+        let time = self.absolute(t);
+        let floor_was_closed = self.state.books.contacts.closed()[0];
+        for j in low..=high {
+            let collided = self.collided[j] == self.cascades;
+            let together = self.gaps[j].w == 0.0;
+            let contacts = &mut self.state.books.contacts;
+            match (together, collided) {
+                (true, _) => contacts.note(j, true, time),
+                (false, true) => contacts.touch(j, time),
+                (false, false) => contacts.note(j, false, time),
+            }
+        }
+        let floor_hit = low == 0 && (floor_was_closed || self.collided[0] == self.cascades);
+        if floor_hit && !self.state.books.contacts.closed()[0] {
+            let arrival = self.arrival(t);
+            self.state.books.bounce.end(arrival.translation);
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! The energy ledger: E_kin + E_pot + E_elastic + E_lost − W_plate stays constant.
+
+use super::observation::Energy;
+
+/// A running sum that carries its rounding error along (Neumaier), since a run adds
+/// millions of small losses to a large one.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Sum {
+    value: f64,
+    carry: f64,
+}
+
+impl Sum {
+    pub fn add(&mut self, x: f64) {
+        let sum = self.value + x;
+        self.carry += if self.value.abs() >= x.abs() {
+            (self.value - sum) + x
+        } else {
+            (x - sum) + self.value
+        };
+        self.value = sum;
+    }
+
+    pub fn total(&self) -> f64 {
+        self.value + self.carry
+    }
+}
+
+/// What a run has lost and been given, and what its sum should be.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Ledger {
+    /// Energy lost in contacts.
+    pub lost: Sum,
+    /// Work done by the plate.
+    pub plate_work: Sum,
+    /// What the sum was at the start, edits taken into account.
+    balance: f64,
+    /// Largest stored energy seen, the scale of the drift.
+    scale: f64,
+}
+
+impl Ledger {
+    /// Fills in `lost`, `plate_work` and `drift` of the energies now.
+    pub fn close(&self, energy: &mut Energy) {
+        energy.lost = self.lost.total();
+        energy.plate_work = self.plate_work.total();
+        let scale = self
+            .scale
+            .max(stored_size(energy))
+            .max(energy.lost.abs())
+            .max(energy.plate_work.abs());
+        let error = sum(energy) - self.balance;
+        energy.drift = if scale > 0.0 { error / scale } else { 0.0 };
+    }
+
+    /// Opens the ledger on the energies now: at the start, or after an edit, which
+    /// may change the stored energy by what it likes but not the error made so far.
+    pub fn open(&mut self, energy: &mut Energy, error_so_far: f64) {
+        energy.lost = self.lost.total();
+        energy.plate_work = self.plate_work.total();
+        self.balance = sum(energy) - error_so_far;
+        self.scale = self.scale.max(stored_size(energy));
+    }
+
+    /// Whether the error exceeds all the energy that there ever was: such a run has
+    /// left physics behind.
+    pub fn is_broken(&self, energy: &Energy) -> bool {
+        self.error(energy).abs() > self.scale + energy.plate_work.abs()
+    }
+
+    /// The error so far, m²/s², of the energies now.
+    pub fn error(&self, energy: &Energy) -> f64 {
+        sum(energy) - self.balance
+    }
+}
+
+fn sum(energy: &Energy) -> f64 {
+    energy.kinetic + energy.potential + energy.elastic + energy.lost - energy.plate_work
+}
+
+fn stored_size(energy: &Energy) -> f64 {
+    energy.kinetic + energy.potential.abs() + energy.elastic
+}

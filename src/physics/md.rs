@@ -1,0 +1,432 @@
+//! Soft contacts on a fixed grid of time steps (molecular dynamics).
+//!
+//! One engine, specialised at compile time by integrator, ground, kind of chain and
+//! attraction, so that a scene pays only for what it has. Contact changes fall
+//! between steps, so every fixed-step method is of first order here, whatever its name.
+
+mod chain;
+mod gear;
+mod ground;
+mod verlet;
+
+use super::column::masses;
+use super::ledger::Ledger;
+use super::moment::Moment;
+use super::observation::Observation;
+use super::state::{Books, State, weight};
+use super::{Engine, EngineError, Outcome, column};
+use crate::scene::{Floor, Integrator, Method, Scene};
+use chain::{Chain, Equal, Unequal};
+use gear::Gear;
+use ground::{Free, Ground, Shaken, Weight};
+use verlet::Verlet;
+
+/// Steps between two looks at the numbers themselves.
+const HOUSEKEEPING: u64 = 32;
+/// Steps between two looks at the energy.
+const INSPECTION: u64 = 1024;
+/// A floor collision is over when what is to come cannot change E by this part of it.
+const OVER: f64 = 1e-12;
+
+/// What an integrator does. Its state is gaps, rates and derivatives of its own.
+trait Stepper: Send + Sized {
+    /// Starts from gaps and rates, with forces in force now and steps of `h` s.
+    fn start<C: Chain, G: Ground>(
+        gaps: &[f64],
+        rates: &[f64],
+        h: f64,
+        chain: &C,
+        ground: &G,
+    ) -> Self;
+    /// One step; whether any gap may have changed between contact and flight.
+    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G) -> bool;
+    /// Flies on for `steps` steps at constant rates.
+    fn coast(&mut self, steps: u64);
+    /// The gaps, m.
+    fn gaps(&self) -> &[f64];
+    /// Writes the rates, m/s.
+    fn rates(&self, into: &mut Vec<f64>);
+    /// What contacts have lost since this was last cleared, m²/s².
+    fn lost(&self) -> f64;
+    /// Work of the plate since this was last cleared, m²/s².
+    fn plate_work(&self) -> f64;
+    /// Clears both, and numbers too small to matter: in free flight derivatives decay
+    /// into subnormals, which cost 20 to 40 times as much to compute with.
+    fn clear(&mut self);
+}
+
+/// Builds the engine of an MD scene.
+pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
+    let Method::Md { integrator, .. } = scene.method else {
+        unreachable!("physics::build hands MD scenes to this room");
+    };
+    match integrator {
+        Integrator::Gear => with_ground::<Gear>(scene, state),
+        Integrator::Verlet => with_ground::<Verlet>(scene, state),
+    }
+}
+
+fn with_ground<S: Stepper + 'static>(scene: &Scene, state: State) -> Box<dyn Engine> {
+    match (scene.floor, scene.gravity) {
+        (Floor::Vibrating { .. }, gravity) => {
+            let ground = Shaken::new(gravity.unwrap_or(0.0), state.plate);
+            with_chain::<S, _>(scene, state, ground)
+        }
+        (Floor::Fixed, Some(gravity)) => {
+            let ground = Weight::new(gravity, state.plate);
+            with_chain::<S, _>(scene, state, ground)
+        }
+        (Floor::Fixed, None) => {
+            let ground = Free::new(state.plate);
+            with_chain::<S, _>(scene, state, ground)
+        }
+    }
+}
+
+fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
+    scene: &Scene,
+    state: State,
+    ground: G,
+) -> Box<dyn Engine> {
+    let Method::Md {
+        contact_time,
+        attraction,
+        ..
+    } = scene.method
+    else {
+        unreachable!("physics::build hands MD scenes to this room");
+    };
+    let masses = masses(scene);
+    let springs = column::springs(scene, &masses, contact_time);
+    let equal = scene.width == 0.0;
+    match (equal, attraction) {
+        (true, true) => Md::<S, G, _>::boxed(scene, state, ground, Equal::<true>::new(&springs)),
+        (true, false) => Md::<S, G, _>::boxed(scene, state, ground, Equal::<false>::new(&springs)),
+        (false, true) => {
+            Md::<S, G, _>::boxed(scene, state, ground, Unequal::<true>::new(springs, &masses))
+        }
+        (false, false) => Md::<S, G, _>::boxed(
+            scene,
+            state,
+            ground,
+            Unequal::<false>::new(springs, &masses),
+        ),
+    }
+}
+
+/// A soft column on a grid of steps.
+struct Md<S, G, C> {
+    stepper: S,
+    ground: G,
+    chain: C,
+    masses: Vec<f64>,
+    springs: Vec<column::Spring>,
+    gravity: f64,
+    steps_per_contact: f64,
+    /// Time of grid point 0, s: the start, or the last edit.
+    origin: f64,
+    h: f64,
+    /// Grid points done.
+    n: u64,
+    /// Where a flight without any contact or force began and where it will be
+    /// stepped again; in between gaps are linear in time and need no steps.
+    flight: Option<(u64, u64)>,
+    /// Grid points passed in finished flights.
+    skipped: u64,
+    state: State,
+    over: bool,
+}
+
+impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> {
+    fn boxed(scene: &Scene, state: State, mut ground: G, chain: C) -> Box<dyn Engine> {
+        let Method::Md {
+            contact_time,
+            steps_per_contact,
+            ..
+        } = scene.method
+        else {
+            unreachable!("physics::build hands MD scenes to this room");
+        };
+        let h = contact_time / steps_per_contact;
+        ground.set_step(h);
+        let masses = masses(scene);
+        let mut md = Self {
+            stepper: S::start(&state.gaps, &state.rates, h, &chain, &ground),
+            springs: column::springs(scene, &masses, contact_time),
+            gravity: weight(scene),
+            origin: state.time,
+            n: 0,
+            flight: None,
+            skipped: 0,
+            over: false,
+            ground,
+            chain,
+            masses,
+            steps_per_contact,
+            h,
+            state,
+        };
+        md.note_contacts();
+        let State {
+            gaps,
+            rates,
+            ledger_error: error,
+            ..
+        } = md.state.clone();
+        if md.state.books.contacts.closed()[0] {
+            let arrival = md.moment(&gaps, &rates).arrival();
+            md.state.books.bounce.begin(arrival);
+        }
+        let mut energy = md.moment(&gaps, &rates).energy();
+        md.state.books.ledger.open(&mut energy, error);
+        Box::new(md)
+    }
+
+    fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64]) -> Moment<'a> {
+        Moment {
+            time: self.time(),
+            gaps,
+            rates,
+            plate: self.ground.plate(),
+            masses: &self.masses,
+            gravity: self.gravity,
+            springs: &self.springs,
+        }
+    }
+
+    fn grid(&self, n: u64) -> f64 {
+        self.origin + n as f64 * self.h
+    }
+
+    /// The last grid point not after `until`.
+    fn last_step(&self, until: f64) -> u64 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a float-to-int cast saturates"
+        )]
+        let mut n = ((until - self.origin) / self.h).max(0.0) as u64;
+        while n > 0 && self.grid(n) > until {
+            n -= 1;
+        }
+        while self.grid(n + 1) <= until {
+            n += 1;
+        }
+        n
+    }
+
+    /// Looks which contacts began or ended in the last step.
+    fn note_contacts(&mut self) {
+        let time = self.time();
+        let floor_was_closed = self.state.books.contacts.closed()[0];
+        for (i, g) in self.stepper.gaps().iter().enumerate() {
+            self.state.books.contacts.note(i, *g <= 0.0, time);
+        }
+        let floor_is_closed = self.state.books.contacts.closed()[0];
+        if floor_is_closed != floor_was_closed {
+            let (gaps, rates) = (self.stepper.gaps(), self.rates());
+            let arrival = self.moment(gaps, &rates).arrival();
+            if floor_is_closed {
+                self.state.books.bounce.begin(arrival);
+            } else {
+                self.state.books.bounce.end(arrival.translation);
+            }
+        }
+        if !G::PULLS && !self.over && self.state.books.contacts.all_open() {
+            self.over = self.nothing_to_come();
+        }
+    }
+
+    fn step(&mut self) -> Result<(), EngineError> {
+        let changed = self.stepper.step(&self.chain, &mut self.ground);
+        self.n += 1;
+        if changed {
+            self.note_contacts();
+            if self.over && self.lost_the_energy() {
+                return Err(self.unstable());
+            }
+        }
+        if self.n.is_multiple_of(HOUSEKEEPING) {
+            self.housekeeping()
+        } else {
+            Ok(())
+        }
+    }
+
+    fn unstable(&self) -> EngineError {
+        EngineError::Unstable {
+            time: self.time(),
+            steps_per_contact: self.steps_per_contact,
+        }
+    }
+
+    fn rates(&self) -> Vec<f64> {
+        let mut rates = Vec::new();
+        self.stepper.rates(&mut rates);
+        rates
+    }
+
+    /// Whether no collision still to come can change E by 10⁻¹² of itself.
+    fn nothing_to_come(&self) -> bool {
+        let mut v = 0.0;
+        let velocities: Vec<f64> = self
+            .rates()
+            .iter()
+            .map(|w| {
+                v += w;
+                v
+            })
+            .collect();
+        super::most_to_lose(&velocities, &self.masses) <= OVER
+    }
+
+    /// The gaps now, those of a flight included.
+    fn gaps(&self) -> Vec<f64> {
+        let gaps = self.stepper.gaps();
+        let Some((from, _)) = self.flight else {
+            return gaps.to_vec();
+        };
+        let flown = (self.n - from) as f64 * self.h;
+        gaps.iter()
+            .zip(self.rates())
+            .map(|(g, w)| g + flown * w)
+            .collect()
+    }
+
+    /// Goes on in one flight to just before the next contact, if nothing pulls and no
+    /// contact has been closed since the last look.
+    fn look_for_flight(&mut self) {
+        let since = self.state.books.contacts.last().unwrap_or(self.origin);
+        let settled = self.time() - since > HOUSEKEEPING as f64 * self.h;
+        if G::PULLS || !settled || !self.state.books.contacts.all_open() {
+            return;
+        }
+        let closing = |(g, w): (&f64, f64)| if w < 0.0 { -g / w } else { f64::INFINITY };
+        let next = self
+            .stepper
+            .gaps()
+            .iter()
+            .zip(self.rates())
+            .map(closing)
+            .fold(f64::INFINITY, f64::min);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a float-to-int cast saturates"
+        )]
+        let steps = (next / self.h).min(1e18) as u64;
+        // The last steps are done one by one: the closed form must not overshoot.
+        let steps = steps.saturating_sub(2) / HOUSEKEEPING * HOUSEKEEPING;
+        if steps > 0 {
+            self.flight = Some((self.n, self.n + steps));
+        }
+    }
+
+    /// Passes through a flight, up to grid point `last` at most.
+    fn fly(&mut self, last: u64) {
+        let Some((from, end)) = self.flight else {
+            return;
+        };
+        self.n = end.min(last).max(self.n);
+        if self.n == end {
+            self.stepper.coast(end - from);
+            self.skipped += end - from;
+            self.flight = None;
+        }
+    }
+
+    /// What is accounted for, up to now.
+    fn books(&self) -> Books {
+        let mut books = self.state.books.clone();
+        fold(&mut books.ledger, &self.stepper, self.h);
+        let flying = self.flight.map_or(0, |(from, _)| self.n - from);
+        books.steps += self.n - self.skipped - flying;
+        books
+    }
+
+    /// Every so often, whatever the slices a run is advanced in.
+    fn housekeeping(&mut self) -> Result<(), EngineError> {
+        fold(&mut self.state.books.ledger, &self.stepper, self.h);
+        self.stepper.clear();
+        self.look_for_flight();
+        let sound = self.stepper.gaps().iter().sum::<f64>().is_finite();
+        if sound && !(self.n.is_multiple_of(INSPECTION) && self.lost_the_energy()) {
+            return Ok(());
+        }
+        Err(self.unstable())
+    }
+
+    /// Whether the ledger shows that the integration blows up.
+    fn lost_the_energy(&self) -> bool {
+        let books = self.books();
+        let mut energy = self.moment(&self.gaps(), &self.rates()).energy();
+        books.ledger.close(&mut energy);
+        books.ledger.is_broken(&energy)
+    }
+}
+
+fn fold<S: Stepper>(ledger: &mut Ledger, stepper: &S, h: f64) {
+    ledger.lost.add(stepper.lost() * h);
+    ledger.plate_work.add(stepper.plate_work() * h);
+}
+
+impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for Md<S, G, C> {
+    fn time(&self) -> f64 {
+        self.grid(self.n)
+    }
+
+    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+        let target = self.last_step(until);
+        let mut left = budget;
+        loop {
+            self.fly(target);
+            if self.n >= target || left == 0 {
+                break;
+            }
+            left -= 1;
+            self.step()?;
+        }
+        Ok(match (self.n >= target, self.over) {
+            (false, _) => Outcome::OutOfBudget,
+            (true, true) => Outcome::Over,
+            (true, false) => Outcome::Reached,
+        })
+    }
+
+    fn is_over(&self) -> bool {
+        self.over
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        None
+    }
+
+    fn observe(&self, into: &mut Observation) {
+        self.moment(&self.gaps(), &self.rates())
+            .observe(&self.books(), into);
+    }
+
+    fn state(&self) -> State {
+        let (gaps, rates, books) = (self.gaps(), self.rates(), self.books());
+        let mut energy = self.moment(&gaps, &rates).energy();
+        books.ledger.close(&mut energy);
+        State {
+            time: self.time(),
+            plate: self.ground.plate(),
+            ledger_error: books.ledger.error(&energy),
+            springs: self.springs.clone(),
+            books,
+            gaps,
+            rates,
+        }
+    }
+}
+
+/// Sets to zero what is too small to matter to anything (lengths of 10⁻²⁰⁰ m).
+fn flush(row: &mut [f64]) {
+    for x in row {
+        if x.abs() < 1e-200 {
+            *x = 0.0;
+        }
+    }
+}

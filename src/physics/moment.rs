@@ -1,0 +1,114 @@
+//! One moment of a column: what follows from gaps and rates.
+
+use super::bounce::Arrival;
+use super::column::Spring;
+use super::observation::{Energy, Observation};
+use super::plate::Plate;
+use super::state::Books;
+
+/// Gaps, rates and all that gives them meaning.
+pub(crate) struct Moment<'a> {
+    /// Simulated time, s.
+    pub time: f64,
+    /// Gaps, m.
+    pub gaps: &'a [f64],
+    /// Rates of the gaps, m/s.
+    pub rates: &'a [f64],
+    /// The floor now.
+    pub plate: Plate,
+    /// Masses, in mean bead masses.
+    pub masses: &'a [f64],
+    /// g, m/s²; 0 without gravity.
+    pub gravity: f64,
+    /// The springs of soft contacts; none between hard beads.
+    pub springs: &'a [Spring],
+}
+
+impl Moment<'_> {
+    /// Stored energies; the ledger's entries are left at 0.
+    pub fn energy(&self) -> Energy {
+        let (mut v, mut z) = (self.plate.velocity(), self.plate.position());
+        let (mut mass, mut momentum, mut kinetic, mut height) = (0.0, 0.0, 0.0, 0.0);
+        for ((g, w), m) in self.gaps.iter().zip(self.rates).zip(self.masses) {
+            v += w;
+            z += g;
+            mass += m;
+            momentum += m * v;
+            kinetic += 0.5 * m * v * v;
+            height += m * z;
+        }
+        let elastic = self
+            .gaps
+            .iter()
+            .zip(self.springs)
+            .filter(|(g, _)| **g < 0.0);
+        Energy {
+            kinetic,
+            relative: self.relative(momentum / mass),
+            potential: self.gravity * height,
+            elastic: elastic
+                .map(|(g, spring)| 0.5 * spring.stiffness * g * g)
+                .sum(),
+            ..Energy::default()
+        }
+    }
+
+    /// E_r about the velocity `centre`, summed directly: E − ½Mv_cm² would cancel.
+    fn relative(&self, centre: f64) -> f64 {
+        let mut u = self.plate.velocity() - centre;
+        let mut relative = 0.0;
+        for (w, m) in self.rates.iter().zip(self.masses) {
+            u += w;
+            relative += 0.5 * m * u * u;
+        }
+        relative
+    }
+
+    /// The column in the floor's frame, as it arrives there or leaves.
+    pub fn arrival(&self) -> Arrival {
+        let (mut u, mut mass, mut momentum) = (0.0, 0.0, 0.0);
+        for (w, m) in self.rates.iter().zip(self.masses) {
+            u += w;
+            mass += m;
+            momentum += m * u;
+        }
+        let centre = momentum / mass;
+        let between = &self.gaps[1..];
+        let separation = between.iter().map(|g| g.max(0.0)).sum::<f64>() / between.len() as f64;
+        Arrival {
+            translation: 0.5 * mass * centre * centre.abs(),
+            relative: self.relative(centre + self.plate.velocity()),
+            crossing: (!between.is_empty() && centre != 0.0).then(|| separation / centre.abs()),
+        }
+    }
+
+    /// Fills in an observation.
+    pub fn observe(&self, books: &Books, into: &mut Observation) {
+        let (mut z, mut v) = (self.plate.position(), self.plate.velocity());
+        into.time = self.time;
+        into.floor = z;
+        into.floor_velocity = v;
+        into.reduced.clear();
+        into.velocities.clear();
+        let (mut mass, mut height) = (0.0, 0.0);
+        for ((g, w), m) in self.gaps.iter().zip(self.rates).zip(self.masses) {
+            z += g;
+            v += w;
+            mass += m;
+            height += m * z;
+            into.reduced.push(z);
+            into.velocities.push(v);
+        }
+        into.centre = height / mass;
+        self.gaps.clone_into(&mut into.gaps);
+        books.contacts.closed().clone_into(&mut into.contacts);
+        into.energy = self.energy();
+        books.ledger.close(&mut into.energy);
+        into.free_flight = books.contacts.free_flight(self.time);
+        into.bounce = books.bounce.restitution(into.energy.relative);
+        into.crossing = books.bounce.crossing();
+        (into.floor_touched, into.floor_left) = books.contacts.floor();
+        into.steps = books.steps;
+        into.events = books.events;
+    }
+}

@@ -1,0 +1,63 @@
+//! What can be seen of a column at one moment.
+
+/// Energies per mean bead mass, m²/s².
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Energy {
+    /// Kinetic energy E.
+    pub kinetic: f64,
+    /// Kinetic energy relative to the centre of mass, E_r ("granular temperature").
+    pub relative: f64,
+    /// Gravitational energy over the resting, just touching column on z = 0.
+    pub potential: f64,
+    /// Energy in the contact springs.
+    pub elastic: f64,
+    /// Energy lost in contacts since the start.
+    pub lost: f64,
+    /// Work done by the plate since the start.
+    pub plate_work: f64,
+    /// Relative drift of the ledger: what E_kin + E_pot + E_elastic + E_lost −
+    /// W_plate has changed by, over the largest of its terms.
+    pub drift: f64,
+}
+
+/// What can be seen of a column at one moment.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Observation {
+    /// Simulated time, s.
+    pub time: f64,
+    /// Height of the floor z₀, m.
+    pub floor: f64,
+    /// Velocity of the floor, m/s.
+    pub floor_velocity: f64,
+    /// Reduced heights z_i, m: zero for every bead of a column that just touches on z = 0.
+    pub reduced: Vec<f64>,
+    /// Velocities, m/s.
+    pub velocities: Vec<f64>,
+    /// Gaps g_i, m; negative is overlap. `gaps[0]` is between floor and bead 1.
+    pub gaps: Vec<f64>,
+    /// Which gaps are contacts now.
+    pub contacts: Vec<bool>,
+    /// Mean reduced height of the centre of mass, m.
+    pub centre: f64,
+    /// Energies and the ledger.
+    pub energy: Energy,
+    /// Mean free flight between successive contacts of the same pair, s: over the
+    /// contacts begun in the last plate period (fixed floor: since the start).
+    /// Divided by t_c it is the live σ. None before the first flight.
+    pub free_flight: Option<f64>,
+    /// ε_eff of the last bounce off the floor, in the floor's frame: √(E_f/E_0).
+    pub bounce: Option<f64>,
+    /// When the column last arrived at its floor: mean separation of its beads over its
+    /// speed, s. Divided by t_c it is the σ of that landing, as σ₀ = s₀/(|v₀| t_c) is
+    /// of a launched column. None for a single bead.
+    pub crossing: Option<f64>,
+    /// When bead 1 first touched the floor, s.
+    pub floor_touched: Option<f64>,
+    /// When bead 1 last left the floor, s. The time between is the paper's t_k, "the
+    /// total time of the interaction of the whole column of beads with the wall".
+    pub floor_left: Option<f64>,
+    /// Steps done (MD).
+    pub steps: u64,
+    /// Collisions done (ED).
+    pub events: u64,
+}

@@ -1,0 +1,67 @@
+//! The vibrating floor, z₀ = A₀ sin θ, θ = 2πft + θ₀, Eq. (1).
+
+use crate::scene::{Floor, Scene, angular};
+
+/// The plate as state: its phase survives edits, and `centre` takes up what an edit
+/// of the amplitude would otherwise make it jump by.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Plate {
+    /// A₀, m; 0 for a fixed floor.
+    pub amplitude: f64,
+    /// 2πf, 1/s; 0 for a fixed floor.
+    pub omega: f64,
+    /// Phase θ, rad, in [0, 2π).
+    pub phase: f64,
+    /// Height about which it moves, m.
+    pub centre: f64,
+}
+
+impl Plate {
+    /// The floor of a scene at t = 0.
+    pub fn of(scene: &Scene) -> Self {
+        match scene.floor {
+            Floor::Fixed => Self::default(),
+            Floor::Vibrating {
+                amplitude,
+                frequency,
+            } => Self {
+                amplitude,
+                omega: angular(frequency),
+                ..Self::default()
+            },
+        }
+    }
+
+    /// The plate after an edit: same phase, same position.
+    pub fn edited(self, scene: &Scene) -> Self {
+        let new = Self {
+            phase: self.phase,
+            ..Self::of(scene)
+        };
+        Self {
+            centre: self.position() - new.position(),
+            ..new
+        }
+    }
+
+    /// The plate a time τ later.
+    pub fn later(self, tau: f64) -> Self {
+        let phase = (self.phase + self.omega * tau).rem_euclid(std::f64::consts::TAU);
+        Self { phase, ..self }
+    }
+
+    /// Height z₀, m.
+    pub fn position(&self) -> f64 {
+        self.centre + self.amplitude * self.phase.sin()
+    }
+
+    /// Velocity ż₀, m/s.
+    pub fn velocity(&self) -> f64 {
+        self.amplitude * self.omega * self.phase.cos()
+    }
+
+    /// Acceleration z̈₀, m/s².
+    pub fn acceleration(&self) -> f64 {
+        -self.amplitude * self.omega * self.omega * self.phase.sin()
+    }
+}

@@ -1,0 +1,180 @@
+//! The whole state of a column, and how it passes from one engine to another.
+
+use super::bounce::Bounce;
+use super::column::{Spring, masses, springs};
+use super::contacts::ContactLog;
+use super::ledger::Ledger;
+use super::plate::Plate;
+use crate::scene::{Facts, Scene, Start, initial_gaps};
+
+/// What a run keeps account of, whatever moves it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Books {
+    pub contacts: ContactLog,
+    pub ledger: Ledger,
+    pub bounce: Bounce,
+    pub steps: u64,
+    pub events: u64,
+}
+
+/// The whole state of a column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Simulated time, s.
+    pub time: f64,
+    /// Gaps, m; index 0 is between floor and bead 1.
+    pub gaps: Vec<f64>,
+    /// Rates of the gaps, m/s.
+    pub rates: Vec<f64>,
+    pub(crate) plate: Plate,
+    pub(crate) books: Books,
+    /// Error of the ledger so far, m²/s².
+    pub(crate) ledger_error: f64,
+    /// Springs of the engine that left this state; none of hard beads.
+    pub(crate) springs: Vec<Spring>,
+}
+
+/// What had to be resolved to go on from the state of another engine.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Handover {
+    /// Overlaps that hard beads cannot have, set to zero.
+    pub overlaps_removed: usize,
+    /// The deepest of them, m.
+    pub deepest: f64,
+    /// Contacts that were given the overlap that carries their load.
+    pub overlaps_loaded: usize,
+}
+
+impl Handover {
+    /// One sentence for the screen, if there is anything to say.
+    pub fn describe(&self) -> Option<String> {
+        let plural = |count: usize| if count == 1 { "" } else { "s" };
+        if self.overlaps_removed > 0 {
+            let Self {
+                overlaps_removed: count,
+                deepest,
+                ..
+            } = self;
+            Some(format!(
+                "{count} overlap{} removed for hard spheres (deepest {deepest:.1e} m); their elastic energy is gone",
+                plural(*count)
+            ))
+        } else if self.overlaps_loaded > 0 {
+            let count = self.overlaps_loaded;
+            Some(format!(
+                "{count} resting contact{} given the overlap that carries its load",
+                plural(count)
+            ))
+        } else {
+            None
+        }
+    }
+}
+
+impl State {
+    /// The start of a scene. Contacts that just touch are closed.
+    pub fn initial(scene: &Scene) -> Self {
+        let (gaps, velocity) = match scene.start {
+            Start::Separated { v0, .. } => (initial_gaps(scene), v0),
+            Start::Resting => (vec![0.0; scene.n], 0.0),
+        };
+        let mut rates = vec![0.0; scene.n];
+        let plate = Plate::of(scene);
+        // A resting column moves with the plate; a launched one has v₀ in the laboratory.
+        if matches!(scene.start, Start::Separated { .. }) {
+            rates[0] = velocity - plate.velocity();
+        }
+        let closed = gaps.iter().map(|&g| g <= 0.0).collect();
+        let mut state = Self {
+            time: 0.0,
+            gaps,
+            rates,
+            plate,
+            books: Books {
+                contacts: ContactLog::new(closed, 0.0, scene.period()),
+                ledger: Ledger::default(),
+                bounce: Bounce::default(),
+                steps: 0,
+                events: 0,
+            },
+            ledger_error: 0.0,
+            springs: Vec::new(),
+        };
+        if scene.start == Start::Resting {
+            state.load_resting_contacts(scene);
+        }
+        state
+    }
+
+    /// The same state under the facts of another scene of as many beads: positions
+    /// and velocities of beads and plate stay, overlaps are made to fit the method.
+    pub(crate) fn adopt(&self, scene: &Scene) -> (Self, Handover) {
+        assert_eq!(
+            self.gaps.len(),
+            scene.n,
+            "a state goes on with the column it is of"
+        );
+        let mut state = self.clone();
+        state.plate = self.plate.edited(scene);
+        state.rates[0] += self.plate.velocity() - state.plate.velocity();
+        state.books.contacts.set_period(scene.period());
+        let mut handover = Handover::default();
+        match scene.contact_time().filter(|_| scene.is_md()) {
+            Some(_) if self.springs.is_empty() => {
+                handover.overlaps_loaded = state.load_resting_contacts(scene);
+            }
+            Some(contact_time) => {
+                let new = springs(scene, &masses(scene), contact_time);
+                for ((g, old), new) in state.gaps.iter_mut().zip(&self.springs).zip(&new) {
+                    // Stiffer contacts keep their force, softer ones their overlap: a
+                    // resting column stays at rest and no edit stores up energy.
+                    if *g < 0.0 {
+                        *g *= (old.stiffness / new.stiffness).min(1.0);
+                    }
+                }
+            }
+            None => {
+                for g in state.gaps.iter_mut().filter(|g| **g < 0.0) {
+                    handover.overlaps_removed += 1;
+                    handover.deepest = handover.deepest.max(-*g);
+                    *g = 0.0;
+                }
+            }
+        }
+        (state, handover)
+    }
+
+    /// Gives the soft contacts of beads that rest on the floor the overlap that
+    /// carries their load; how many they are.
+    fn load_resting_contacts(&mut self, scene: &Scene) -> usize {
+        let (Some(gravity), Some(contact_time)) = (
+            scene.gravity,
+            scene.contact_time().filter(|_| scene.is_md()),
+        ) else {
+            return 0;
+        };
+        let masses = masses(scene);
+        let pull = gravity + self.plate.acceleration();
+        let resting = self
+            .gaps
+            .iter()
+            .zip(&self.rates)
+            .take_while(|(g, w)| **g <= 0.0 && **w == 0.0)
+            .count();
+        if pull <= 0.0 {
+            return 0;
+        }
+        let springs = springs(scene, &masses, contact_time);
+        let mut load = 0.0;
+        for i in (0..resting).rev() {
+            load += masses[i] * pull;
+            self.gaps[i] = -load / springs[i].stiffness;
+        }
+        resting
+    }
+}
+
+/// Gravity of a scene as a number: 0 where there is none.
+pub(crate) fn weight(facts: &Facts) -> f64 {
+    facts.gravity.unwrap_or(0.0)
+}

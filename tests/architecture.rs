@@ -1,0 +1,76 @@
+//! The directions in which rooms may depend on each other (DESIGN §2).
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).expect("a source folder").flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            files.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    files
+}
+
+/// Files of a room: `src/room.rs` and all below `src/room/`.
+fn room(name: &str) -> Vec<PathBuf> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = rust_files(&source.join(name));
+    files.push(source.join(name).with_extension("rs"));
+    files
+}
+
+fn mentions(room_name: &str, forbidden: &[&str]) -> Vec<String> {
+    let mut found = Vec::new();
+    for file in room(room_name) {
+        let text = fs::read_to_string(&file).expect("a readable source file");
+        for word in forbidden.iter().filter(|word| text.contains(**word)) {
+            found.push(format!("{}: {word}", file.display()));
+        }
+    }
+    found
+}
+
+const OUTSIDE: [&str; 8] = [
+    "std::io",
+    "std::fs",
+    "std::thread",
+    "std::time",
+    "ratatui",
+    "crossterm",
+    "crossbeam",
+    "println!",
+];
+
+#[test]
+fn physics_is_pure() {
+    assert!(
+        room("physics").len() > 10,
+        "the room is where this test looks"
+    );
+    let mut forbidden = OUTSIDE.to_vec();
+    forbidden.extend(["crate::live", "crate::tui", "crate::commands", "crate::cli"]);
+    assert_eq!(mentions("physics", &forbidden), Vec::<String>::new());
+}
+
+#[test]
+fn scenes_know_no_physics_and_no_face() {
+    let forbidden = [
+        "crate::physics",
+        "crate::live",
+        "crate::tui",
+        "crate::commands",
+        "ratatui",
+    ];
+    assert_eq!(mentions("scene", &forbidden), Vec::<String>::new());
+}
+
+#[test]
+fn the_simulation_thread_knows_no_screen() {
+    let forbidden = ["crate::tui", "crate::commands", "ratatui", "crossterm"];
+    assert_eq!(mentions("live", &forbidden), Vec::<String>::new());
+}

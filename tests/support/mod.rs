@@ -1,0 +1,97 @@
+//! Scenes and runs that several tests share.
+#![allow(dead_code, reason = "every test uses its own part of this")]
+
+use beadlab::physics::{Engine, Observation, Outcome, build};
+use beadlab::scene::{
+    CollisionRule, Facts, Floor, FloorContact, Integrator, Method, Scene, Start, angular,
+};
+
+/// g of all presets, m/s².
+pub const G: f64 = 9.81;
+
+/// The floor collision of Fig. 1: N = 10, ε = 0.9, v₀ = −0.2 m/s, no gravity.
+pub fn fig1(method: Method, s0: f64) -> Facts {
+    Facts {
+        n: 10,
+        diameter: 1e-3,
+        width: 0.0,
+        seed: 1,
+        restitution: 0.9,
+        floor_contact: FloorContact::SameSpring,
+        start: Start::Separated {
+            s0,
+            jitter: false,
+            v0: -0.2,
+        },
+        gravity: None,
+        floor: Floor::Fixed,
+        method,
+        duration: None,
+    }
+}
+
+/// A column of N = 10 beads, ε = 0.6, that rests on a plate at 20 Hz.
+pub fn shaken(method: Method, alpha: f64) -> Facts {
+    let frequency = 20.0;
+    let floor = Floor::Vibrating {
+        amplitude: alpha * G / angular(frequency).powi(2),
+        frequency,
+    };
+    Facts {
+        restitution: 0.6,
+        start: Start::Resting,
+        gravity: Some(G),
+        floor,
+        duration: Some(1.0),
+        ..fig1(method, 0.0)
+    }
+}
+
+/// Soft contacts with the paper's t_c.
+pub fn md(integrator: Integrator, steps_per_contact: f64) -> Method {
+    Method::Md {
+        contact_time: 0.7e-5,
+        integrator,
+        steps_per_contact,
+        attraction: true,
+    }
+}
+
+/// Hard spheres.
+pub const ED: Method = Method::Ed {
+    rule: CollisionRule::Lrv,
+};
+
+/// The engine of these facts, at their start.
+pub fn engine(facts: Facts) -> Box<dyn Engine> {
+    build(&Scene::new(facts).expect("a valid scene"), None).0
+}
+
+/// What is seen of an engine now.
+pub fn look(engine: &dyn Engine) -> Observation {
+    let mut seen = Observation::default();
+    engine.observe(&mut seen);
+    seen
+}
+
+/// Runs a floor collision to its end; start and end.
+pub fn collide(facts: Facts) -> (Observation, Observation) {
+    let mut engine = engine(facts);
+    let start = look(&*engine);
+    let mut until = 1e-3;
+    while engine.advance(until, u64::MAX).expect("a sound run") != Outcome::Over {
+        until *= 2.0;
+        assert!(until < 1e9, "the collision never ends");
+    }
+    (start, look(&*engine))
+}
+
+/// ε_eff and E_r/E_f of a floor collision.
+pub fn rebound(facts: Facts) -> (f64, f64) {
+    let (start, end) = collide(facts);
+    let (first, last) = (start.energy, end.energy);
+    (
+        (last.kinetic / first.kinetic).sqrt(),
+        last.relative / last.kinetic,
+    )
+}
