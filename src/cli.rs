@@ -1,0 +1,179 @@
+//! The command line's grammar; what it does is in [`crate::commands`].
+
+use crate::scene::{MethodName, parameters};
+use clap::builder::PossibleValue;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  beadlab                                the shaken column, soft and hard contacts
+                                         side by side
+  beadlab fig1a                          a preset; `beadlab presets` lists them
+  beadlab fig5b --set alpha=3            the same with another acceleration
+  beadlab my-column.toml                 a scene of your own
+  beadlab run fig1a --method ed          numbers instead of pictures";
+
+const RUN_EXAMPLES: &str = "\
+Examples:
+  beadlab run fig1b
+  beadlab run fig1b --set s0=1e-5 --set n=20 --format json
+  beadlab run fig5b --method ed --format csv --every 1e-3 --out trace.csv
+
+Without gravity a run lasts until the floor collision is over, and eps_eff,
+er_over_ef and contact_duration are given if that comes before `duration`.
+With gravity it lasts for `duration`, and h_cm_mean is the mean absolute height
+of the centre of mass over the last 90 % of it. A quantity that the scene does
+not have is left out. The same scene and seed give the same bytes, except for
+wall_time and speed, which measure the machine and stand only in json.
+
+Exit codes: 0 done, 1 the run failed, 2 bad input.";
+
+const PRESET_EXAMPLES: &str = "\
+A scene of your own:
+  beadlab presets show fig5b > my-column.toml
+  beadlab presets check my-column.toml
+  beadlab my-column.toml";
+
+/// A terminal laboratory for the detachment effect: soft-contact against
+/// hard-sphere simulations of a column of beads.
+///
+/// Without a subcommand the explorer opens: the column live, with everything to
+/// edit while it moves.
+#[derive(Debug, Parser)]
+#[command(version, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
+pub struct Cli {
+    /// What to do; without it the explorer opens.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+
+    /// What to explore.
+    #[command(flatten)]
+    pub explore: ExploreArgs,
+}
+
+/// Subcommands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run a scene without pictures and print what it measures
+    #[command(after_help = RUN_EXAMPLES, after_long_help = run_long_help())]
+    Run(RunArgs),
+    /// List the presets, show one as TOML, or check files of your own
+    #[command(after_help = PRESET_EXAMPLES)]
+    Presets {
+        /// What to do with them; without it they are listed.
+        #[command(subcommand)]
+        action: Option<PresetsAction>,
+    },
+}
+
+/// Arguments of the explorer.
+#[derive(Debug, Args)]
+pub struct ExploreArgs {
+    /// A preset's name, or a TOML file
+    #[arg(
+        value_name = "PRESET|FILE.toml",
+        default_value = "shaken",
+        hide_default_value = true
+    )]
+    pub preset: String,
+
+    /// Draw with ASCII only
+    #[arg(long)]
+    pub ascii: bool,
+
+    /// Simulated seconds per second of your time, like 0.02 or 1/50
+    #[arg(long, value_parser = speed)]
+    pub speed: Option<f64>,
+
+    /// Change a parameter, SI units (repeatable; `beadlab run --help` lists them)
+    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub settings: Vec<String>,
+}
+
+/// Arguments of `beadlab run`.
+#[derive(Debug, Args)]
+pub struct RunArgs {
+    /// A preset's name, or a TOML file
+    #[arg(value_name = "PRESET|FILE.toml")]
+    pub preset: String,
+
+    /// Change a parameter, SI units (repeatable; --help lists them)
+    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub settings: Vec<String>,
+
+    /// How the beads are moved
+    #[arg(long, value_enum)]
+    pub method: Option<MethodName>,
+
+    /// How the results are written
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+
+    /// With csv: print the motion at this interval, in simulated seconds
+    #[arg(long, value_name = "SECONDS", value_parser = positive, allow_hyphen_values = true)]
+    pub every: Option<f64>,
+
+    /// Write to a file, which appears when it is complete
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// How results are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// A table to read
+    Text,
+    /// One JSON object
+    Json,
+    /// Comma-separated values: one row of results, or the motion with --every
+    Csv,
+}
+
+/// What to do with presets.
+#[derive(Debug, Subcommand)]
+pub enum PresetsAction {
+    /// List names and titles
+    List,
+    /// Print a preset as TOML
+    Show {
+        /// The preset's name
+        name: String,
+    },
+    /// Check preset files, and say what is wrong on which line
+    Check {
+        /// TOML files, or names of presets
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<String>,
+    },
+}
+
+impl ValueEnum for MethodName {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.as_str()).help(self.meaning()))
+    }
+}
+
+fn run_long_help() -> String {
+    format!("{}\n{RUN_EXAMPLES}", parameters::help())
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x > 0.0 && x.is_finite() => Ok(x),
+        _ => Err("must be a number above 0".to_owned()),
+    }
+}
+
+/// A number, or a fraction like 1/50.
+fn speed(text: &str) -> Result<f64, String> {
+    let value = match text.split_once('/') {
+        Some((above, below)) => positive(above)? / positive(below)?,
+        None => positive(text)?,
+    };
+    positive(&value.to_string())
+}

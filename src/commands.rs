@@ -1,0 +1,108 @@
+//! What the program does: one file a subcommand.
+
+pub mod explore;
+pub mod presets;
+pub mod run;
+mod usage;
+
+use crate::cli::{Cli, Command};
+use crate::scene::parameters::Setting;
+use crate::scene::words::quote;
+use crate::scene::{MethodName, Preset};
+use clap::Parser;
+use explore::ExploreOptions;
+use std::ffi::OsString;
+use std::io::{self, ErrorKind, Write};
+use std::process::ExitCode;
+
+/// Why a command did not do what it was asked to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Failure {
+    /// The input is wrong; one line for each thing that is.
+    BadInput(String),
+    /// The input is right, but the run failed; one line.
+    Failed(String),
+}
+
+/// Runs the program: arguments in, exit code out. What goes wrong is told on
+/// standard error, in one line.
+pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    match dispatch(arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            let (message, code) = match failure {
+                Failure::Failed(message) => (message, 1),
+                Failure::BadInput(message) => (message, 2),
+            };
+            for line in message.lines() {
+                // Nobody may be listening any more, and that is no reason to panic.
+                let _ = writeln!(io::stderr(), "beadlab: {line}");
+            }
+            ExitCode::from(code)
+        }
+    }
+}
+
+fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure> {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) => return usage::answer(&error),
+    };
+    match cli.command {
+        Some(Command::Run(args)) => run::run(&args),
+        Some(Command::Presets { action }) => presets::presets(action.as_ref()),
+        None => {
+            let args = cli.explore;
+            let preset = load(&args.preset, None, &args.settings)?;
+            let options = ExploreOptions {
+                ascii: args.ascii,
+                speed: args.speed,
+            };
+            explore::explore(preset, &options)
+        }
+    }
+}
+
+/// The preset or file of that name, with the method and settings of the command line.
+fn load(name: &str, method: Option<MethodName>, settings: &[String]) -> Result<Preset, Failure> {
+    let preset = Preset::load(name).map_err(bad_input)?;
+    let layer = settings
+        .iter()
+        .map(|text| setting(text))
+        .collect::<Result<Vec<_>, _>>()?;
+    preset.with(method, &layer).map_err(|error| {
+        let of = |text: &&String| text.split('=').next().map(str::trim) == Some(error.parameter());
+        let written = settings
+            .iter()
+            .rfind(of)
+            .and_then(|text| text.split_once('='));
+        bad_input(match written {
+            Some((_, value)) => error.with_written(value),
+            None => error,
+        })
+    })
+}
+
+/// One `--set name=value`.
+fn setting(text: &str) -> Result<Setting, Failure> {
+    let (name, value) = text.split_once('=').ok_or_else(|| {
+        let text = quote(text);
+        Failure::BadInput(format!(
+            "--set {text}: must be NAME=VALUE, like restitution=0.9"
+        ))
+    })?;
+    Setting::read(name, value).map_err(bad_input)
+}
+
+fn bad_input(error: impl std::fmt::Display) -> Failure {
+    Failure::BadInput(error.to_string())
+}
+
+/// What became of printing: a reader that has seen enough is no failure.
+fn printed(result: io::Result<()>) -> Result<(), Failure> {
+    match result {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        Err(error) => Err(Failure::Failed(format!("cannot print: {error}"))),
+        Ok(()) => Ok(()),
+    }
+}

@@ -1,0 +1,45 @@
+//! `beadlab run`: a scene without pictures.
+
+mod drive;
+mod measure;
+mod output;
+mod progress;
+mod report;
+mod series;
+
+use super::{Failure, load};
+use crate::cli::{Format, RunArgs};
+use drive::Drive;
+use output::Output;
+use std::io::Write;
+
+/// Runs `beadlab run`.
+///
+/// # Errors
+/// [`Failure::BadInput`] for arguments that make no run, [`Failure::Failed`] when
+/// the engine cannot go on or the results cannot be written.
+pub fn run(args: &RunArgs) -> Result<(), Failure> {
+    if args.every.is_some() && args.format != Format::Csv {
+        let reason = "--every: needs --format csv, which prints the motion";
+        return Err(Failure::BadInput(reason.to_owned()));
+    }
+    let preset = load(&args.preset, args.method, &args.settings)?;
+    if let Some(every) = args.every {
+        series::check(&preset.scene, every)?;
+    }
+    let mut output = Output::open(args.out.as_deref())?;
+    let drive = Drive::new(&preset.scene);
+    if let Some(every) = args.every {
+        return series::print(&preset.scene, drive, every, output);
+    }
+    let report = measure::measure(&preset, drive)?;
+    let written = output.write_all(report.written(args.format).as_bytes());
+    if written.is_err() {
+        return output.judge(written);
+    }
+    output.finish()?;
+    if args.format == Format::Text {
+        report.tell_time();
+    }
+    Ok(())
+}

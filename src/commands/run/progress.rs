@@ -1,0 +1,76 @@
+//! How far a run is, for a person who waits for it.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::{self, IsTerminal};
+use std::time::{Duration, Instant};
+
+/// A run that is over by then needs no bar.
+const PATIENCE: Duration = Duration::from_millis(500);
+
+/// Time between two looks at the bar.
+const REFRESH: Duration = Duration::from_millis(100);
+
+/// Resolution of the bar.
+const PARTS: f64 = 1000.0;
+
+/// A bar on standard error, if that is a terminal and the run takes its time.
+pub(super) struct Progress {
+    duration: Option<f64>,
+    due: Instant,
+    bar: Option<ProgressBar>,
+    wanted: bool,
+}
+
+impl Progress {
+    /// Of a run of that duration, s, or of one that ends when it is over.
+    pub fn new(duration: Option<f64>) -> Self {
+        let wanted = io::stderr().is_terminal();
+        Self {
+            duration,
+            due: Instant::now() + PATIENCE,
+            bar: None,
+            wanted,
+        }
+    }
+
+    /// Shows that the run has come to `time`, s.
+    pub fn show(&mut self, time: f64) {
+        if !self.wanted || Instant::now() < self.due {
+            return;
+        }
+        self.due = Instant::now() + REFRESH;
+        let bar = self
+            .bar
+            .get_or_insert_with(|| new_bar(self.duration.is_some()));
+        bar.set_message(format!("t = {time:.3e} s"));
+        if let Some(duration) = self.duration {
+            // Between 0 and 1000, so that nothing is lost.
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+            bar.set_position((PARTS * time / duration) as u64);
+        }
+        bar.tick();
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+fn new_bar(has_end: bool) -> ProgressBar {
+    let template = if has_end {
+        "{bar:40} {percent:>3} %  {msg}  {eta}"
+    } else {
+        "{spinner} {msg}"
+    };
+    let style = ProgressStyle::with_template(template)
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .progress_chars("##-")
+        .tick_chars("|/-\\ ");
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let parts = has_end.then_some(PARTS as u64);
+    ProgressBar::with_draw_target(parts, ProgressDrawTarget::stderr()).with_style(style)
+}

@@ -1,0 +1,133 @@
+//! The motion of a run as CSV: a row at every multiple of an interval.
+
+use super::drive::Drive;
+use super::output::Output;
+use crate::commands::Failure;
+use crate::physics::Observation;
+use crate::scene::Scene;
+use crate::scene::parameters::Value;
+use std::io;
+use std::time::{Duration, Instant};
+
+/// More rows than that are a slip of the hand.
+const MOST_ROWS: f64 = 1e8;
+
+/// Rows are passed on at least that often, for a reader who watches.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+/// Refuses an interval that makes absurdly many rows.
+pub(super) fn check(scene: &Scene, every: f64) -> Result<(), Failure> {
+    match scene.duration {
+        Some(duration) if duration / every > MOST_ROWS => Err(Failure::BadInput(format!(
+            "--every {}: makes {:.0e} rows in {} s, more than {MOST_ROWS:e}",
+            Value::Number(every),
+            duration / every,
+            Value::Number(duration)
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Why rows come to an end before the run does.
+enum Stop {
+    Run(Failure),
+    Output(io::Error),
+}
+
+impl From<Failure> for Stop {
+    fn from(failure: Failure) -> Self {
+        Self::Run(failure)
+    }
+}
+
+impl From<csv::Error> for Stop {
+    fn from(error: csv::Error) -> Self {
+        Self::Output(match error.into_kind() {
+            csv::ErrorKind::Io(error) => error,
+            other => io::Error::other(format!("{other:?}")),
+        })
+    }
+}
+
+impl From<io::Error> for Stop {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+/// Prints the motion until the scene's duration, or without gravity until the
+/// floor collision is over if that comes first.
+pub(super) fn print(
+    scene: &Scene,
+    drive: Drive,
+    every: f64,
+    mut output: Output,
+) -> Result<(), Failure> {
+    match rows(scene, drive, every, csv::Writer::from_writer(&mut output)) {
+        Ok(()) => output.finish(),
+        Err(Stop::Run(failure)) => Err(failure),
+        Err(Stop::Output(error)) => output.judge(Err(error)),
+    }
+}
+
+fn rows(
+    scene: &Scene,
+    mut drive: Drive,
+    every: f64,
+    mut writer: csv::Writer<&mut Output>,
+) -> Result<(), Stop> {
+    let end = scene.duration.unwrap_or(f64::INFINITY);
+    // A last row that rounding would lose is wanted.
+    let most = (end / every * (1.0 + 1e-12)).floor().min(MOST_ROWS);
+    let mut now = Observation::default();
+    let mut flushed = Instant::now();
+    let mut row = 0.0;
+    writer.write_record(header(scene.n))?;
+    loop {
+        drive.observe(&mut now);
+        writer.serialize(cells(scene, &now)?)?;
+        if flushed.elapsed() > PATIENCE {
+            writer.flush()?;
+            flushed = Instant::now();
+        }
+        row += 1.0;
+        let over = scene.gravity.is_none() && drive.is_over();
+        if over || row > most {
+            break;
+        }
+        drive.advance(end.min(row * every))?;
+    }
+    Ok(writer.flush()?)
+}
+
+fn header(n: usize) -> Vec<String> {
+    let beads = (1..=n).map(|bead| format!("z{bead}"));
+    let head = ["time", "floor"].map(String::from);
+    let tail = ["kinetic", "relative", "sigma"].map(String::from);
+    head.into_iter().chain(beads).chain(tail).collect()
+}
+
+/// The numbers of a row; σ may be none.
+fn cells(scene: &Scene, now: &Observation) -> Result<Vec<Option<f64>>, Failure> {
+    let sigma = now
+        .free_flight
+        .zip(scene.contact_time())
+        .map(|(flight, t_c)| flight / t_c);
+    let head = [now.time, now.floor];
+    let tail = [now.energy.kinetic, now.energy.relative];
+    let cells: Vec<_> = head
+        .iter()
+        .chain(&now.reduced)
+        .chain(&tail)
+        // −0 is a sign that means nothing.
+        .map(|&x| Some(x + 0.0))
+        .chain([sigma])
+        .collect();
+    if cells.iter().flatten().all(|x| x.is_finite()) {
+        return Ok(cells);
+    }
+    Err(Failure::Failed(format!(
+        "the run failed: the motion at {:e} s is not finite",
+        now.time
+    )))
+}

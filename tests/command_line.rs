@@ -1,0 +1,649 @@
+//! The command line as its users meet it: what it prints, and how it says no.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+fn beadlab(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_beadlab"))
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .expect("the program starts")
+}
+
+/// What a run that must succeed printed.
+fn printed(arguments: &[&str]) -> String {
+    let output = beadlab(arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {stderr}");
+    assert_eq!(stderr, "", "{arguments:?}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+/// The one line with which bad input is refused, after `beadlab: `.
+fn refused(arguments: &[&str]) -> String {
+    failed(arguments, 2)
+}
+
+fn failed(arguments: &[&str], code: i32) -> String {
+    let output = beadlab(arguments);
+    let stderr = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {stderr}");
+    assert!(output.stdout.is_empty(), "{arguments:?} printed something");
+    assert!(stderr.ends_with('\n'), "{arguments:?}: {stderr:?}");
+    assert_eq!(stderr.lines().count(), 1, "{arguments:?}: {stderr}");
+    let line = stderr.trim_end().strip_prefix("beadlab: ");
+    line.unwrap_or_else(|| panic!("{arguments:?}: {stderr}"))
+        .to_owned()
+}
+
+/// A file of this test in the folder that cargo gives to tests.
+fn file(name: &str, text: impl AsRef<[u8]>) -> String {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&path, text).expect("the folder of the tests can be written");
+    path.into_os_string().into_string().expect("a UTF-8 path")
+}
+
+fn json(arguments: &[&str]) -> serde_json::Value {
+    let all = [&["run"], arguments, &["--format", "json"]].concat();
+    serde_json::from_str(&printed(&all)).expect("one JSON object")
+}
+
+#[test]
+fn bad_settings_are_refused_by_name_and_value() {
+    for (preset, setting, field, value) in [
+        ("fig1a", "restitution=1.5", "restitution", "1.5"),
+        ("fig1a", "restitution=0", "restitution", "0"),
+        ("fig1a", "restitution=-0.1", "restitution", "-0.1"),
+        ("fig1d", "restitution=1.01", "restitution", "1.01"),
+        ("fig1d", "restitution=-1e-9", "restitution", "-1e-9"),
+        ("fig1a", "contact_time=0", "contact_time", "0"),
+        ("fig1a", "contact_time=-1e-5", "contact_time", "-1e-5"),
+        ("fig1a", "contact_time=NaN", "contact_time", "NaN"),
+        ("fig1a", "contact_time=inf", "contact_time", "inf"),
+        ("fig1a", "contact_time=1e400", "contact_time", "1e400"),
+        ("fig1a", "n=0", "n", "0"),
+        ("fig1a", "n=-1", "n", "-1"),
+        ("fig1a", "n=2.5", "n", "2.5"),
+        ("fig1a", "n=ten", "n", "ten"),
+        ("fig1a", "n=1000001", "n", "1000001"),
+        ("fig1a", "v0=0.1", "v0", "0.1"),
+        ("fig1a", "v0=0", "v0", "0"),
+        ("fig1a", "v0=-1e-300", "v0", "-1e-300"),
+        ("fig1a", "s0=-1e-6", "s0", "-1e-6"),
+        ("fig1a", "diameter=0", "diameter", "0"),
+        ("fig1a", "width=2e-3", "width", "2e-3"),
+        ("fig1a", "jitter=perhaps", "jitter", "perhaps"),
+        ("fig1a", "floor_contact=hard", "floor_contact", "hard"),
+        ("fig1a", "steps_per_contact=1", "steps_per_contact", "1"),
+        ("fig1a", "seed=9007199254740993", "seed", "9007199254740993"),
+        ("fig1a", "restituton=0.5", "restituton", "restitution"),
+        ("fig1a", "colour=red", "colour", "restitution"),
+        ("fig1a", "restitution", "restitution", "NAME=VALUE"),
+        ("fig1a", "", "--set", "NAME=VALUE"),
+        // What the scene does not have.
+        ("fig1a", "amplitude=1e-3", "amplitude", "1e-3"),
+        ("fig1a", "alpha=2", "alpha", "2"),
+        ("fig1a", "gravity=9.81", "gravity", "9.81"),
+        ("fig1a", "rule=tc", "rule", "tc"),
+        ("fig1d", "contact_time=1e-5", "contact_time", "1e-5"),
+        ("fig1d", "steps_per_contact=50", "steps_per_contact", "50"),
+        ("fig5b", "s0=1e-6", "s0", "1e-6"),
+        ("fig5b", "v0=-0.2", "v0", "-0.2"),
+        ("fig5b", "gravity=0", "gravity", "0"),
+        ("fig5b", "frequency=0", "frequency", "0"),
+        ("fig5b", "amplitude=-1", "amplitude", "-1"),
+        ("fig5b", "duration=0", "duration", "0"),
+    ] {
+        let line = refused(&["run", preset, "--set", setting]);
+        assert!(
+            line.contains(field) && line.contains(value),
+            "{setting}: {line}"
+        );
+        let line = refused(&[preset, "--set", setting]);
+        assert!(
+            line.contains(field) && line.contains(value),
+            "explorer, {setting}: {line}"
+        );
+    }
+}
+
+#[test]
+fn settings_that_contradict_each_other_are_refused() {
+    let both = refused(&[
+        "run",
+        "fig5b",
+        "--set",
+        "alpha=2",
+        "--set",
+        "amplitude=1e-3",
+    ]);
+    assert!(
+        both.contains("alpha = 2") && both.contains("amplitude"),
+        "{both}"
+    );
+    let endless = &["run", "fig5b", "--set", "alpha=1e6", "--set", "gravity=1e6"];
+    let endless = refused(&[endless, &["--set", "frequency=1e-3"][..]].concat());
+    assert!(
+        endless.contains("alpha = 1e6: gives the amplitude"),
+        "{endless}"
+    );
+    let timeless = refused(&["run", "fig1d", "--method", "gear"]);
+    assert!(timeless.contains("contact_time: missing"), "{timeless}");
+    let dead = &[
+        "run",
+        "inelastic-ball",
+        "--method",
+        "gear",
+        "--set",
+        "contact_time=1e-5",
+    ];
+    assert!(refused(dead).contains("restitution = 0: must be above 0"));
+    let hard = &[
+        "run",
+        "fig1a",
+        "--method",
+        "ed",
+        "--set",
+        "contact_time=1e-5",
+    ];
+    assert!(refused(hard).contains("contact_time = 1e-5: this scene does not have"));
+    let untimed = refused(&["run", "fig1d", "--set", "rule=tc"]);
+    assert!(untimed.contains("contact_time: missing"), "{untimed}");
+}
+
+#[test]
+fn bad_arguments_are_refused_in_one_line() {
+    for (arguments, words) in [
+        (&["run"][..], &["PRESET"][..]),
+        (&["run", "fig1a", "--colour"], &["--colour"]),
+        (&["--colour"], &["--colour"]),
+        (
+            &["run", "fig1a", "--format", "xml"],
+            &["--format", "xml", "json"],
+        ),
+        (
+            &["run", "fig1a", "--method", "exact"],
+            &["--method", "exact", "verlet"],
+        ),
+        (&["run", "fig1a", "fig1b"], &["fig1b"]),
+        (&["rum", "fig1a"], &["'fig1a' cannot be used with"]),
+        (&["run", "fig1a", "--every", "1e-6"], &["--every", "csv"]),
+        (
+            &["run", "fig1a", "--format", "json", "--every", "1e-6"],
+            &["--every", "csv"],
+        ),
+        (
+            &["run", "fig1a", "--format", "csv", "--every", "0"],
+            &["--every", "'0'"],
+        ),
+        (
+            &["run", "fig1a", "--format", "csv", "--every", "-1"],
+            &["--every", "-1"],
+        ),
+        (
+            &["run", "fig1a", "--format", "csv", "--every", "NaN"],
+            &["--every", "NaN"],
+        ),
+        (
+            &["run", "fig1a", "--format", "csv", "--every", "inf"],
+            &["--every", "inf"],
+        ),
+        (
+            &["run", "fig5b", "--format", "csv", "--every", "1e-12"],
+            &["--every 1e-12", "rows"],
+        ),
+        (
+            &["run", "no-such-preset"],
+            &["no-such-preset", "no such preset"],
+        ),
+        (&["run", "fig1g"], &["fig1g", "did you mean fig1"]),
+        (&["run", "missing.toml"], &["missing.toml", "no such file"]),
+        (&["missing.toml"], &["missing.toml", "no such file"]),
+        (&["run", "/"], &["/", "is a directory"]),
+        (
+            &["run", "two\nlines.toml"],
+            &["two lines.toml", "no such file"],
+        ),
+        (&["run", "two\nlines"], &["two lines", "no such preset"]),
+        (&["no-such-preset"], &["no-such-preset", "no such preset"]),
+        (&["fig1a", "--speed", "0"], &["--speed", "'0'"]),
+        (&["fig1a", "--speed", "1/0"], &["--speed", "1/0"]),
+        (&["presets", "show", "no-such-preset"], &["no-such-preset"]),
+        (&["presets", "show"], &["NAME"]),
+        (&["presets", "check"], &["FILE"]),
+        (
+            &["presets", "check", "missing.toml"],
+            &["missing.toml", "no such file"],
+        ),
+        (&["presets", "sing"], &["sing"]),
+        (
+            &["run", "fig1a", "--out", "/no/such/folder/x"],
+            &["--out /no/such/folder/x"],
+        ),
+        (&["run", "fig1a", "--out", "/"], &["--out /"]),
+    ] {
+        let line = refused(arguments);
+        for word in words {
+            assert!(line.contains(word), "{arguments:?}: {line}");
+        }
+    }
+}
+
+/// Two steps in a contact are beyond the stability of Gear's method.
+const UNSTABLE: [&str; 6] = [
+    "run",
+    "fig5b",
+    "--set",
+    "steps_per_contact=2",
+    "--set",
+    "duration=0.1",
+];
+
+#[test]
+fn an_engine_that_cannot_go_on_is_no_bad_input() {
+    let line = failed(&UNSTABLE, 1);
+    assert!(line.contains("unstable"), "{line}");
+}
+
+#[test]
+fn every_bad_file_gets_its_line() {
+    let good = file("checked-good.toml", printed(&["presets", "show", "fig1b"]));
+    let bad = file("checked-bad.toml", "n = 0\n");
+    let output = beadlab(&["presets", "check", &good, &bad, "missing.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
+    let stderr = String::from_utf8(output.stderr).expect("UTF-8");
+    let lines: Vec<_> = stderr.lines().collect();
+    assert_eq!(lines.len(), 2, "{stderr}");
+    assert!(lines[0].starts_with(&format!("beadlab: {bad}")), "{stderr}");
+    assert!(lines[1].starts_with("beadlab: missing.toml"), "{stderr}");
+}
+
+/// The names of DESIGN, in its order.
+const FIELDS: [&str; 21] = [
+    "preset",
+    "method",
+    "law",
+    "n",
+    "restitution",
+    "floor_restitution",
+    "contact_time",
+    "v0",
+    "s0",
+    "sigma0",
+    "eps_eff",
+    "er_over_ef",
+    "contact_duration",
+    "h_cm_mean",
+    "sigma",
+    "energy_drift",
+    "events",
+    "steps",
+    "sim_time",
+    "wall_time",
+    "speed",
+];
+
+#[test]
+fn json_has_what_the_scene_has_and_nothing_else() {
+    let ten_beads = ["duration=0.2", "n=3"];
+    for (preset, settings, absent) in [
+        ("fig1b", &[][..], &["h_cm_mean", "events"][..]),
+        (
+            "fig1e",
+            &[],
+            &[
+                "law",
+                "contact_time",
+                "sigma0",
+                "h_cm_mean",
+                "sigma",
+                "steps",
+            ],
+        ),
+        (
+            "fig5b",
+            &ten_beads,
+            &[
+                "v0",
+                "s0",
+                "sigma0",
+                "eps_eff",
+                "er_over_ef",
+                "contact_duration",
+                "events",
+            ],
+        ),
+        (
+            "tc-rule",
+            &ten_beads,
+            &[
+                "law",
+                "v0",
+                "s0",
+                "sigma0",
+                "eps_eff",
+                "er_over_ef",
+                "contact_duration",
+                "steps",
+            ],
+        ),
+    ] {
+        let mut arguments = vec![preset];
+        arguments.extend(settings.iter().flat_map(|setting| ["--set", setting]));
+        let object = json(&arguments);
+        let object = object.as_object().expect("an object");
+        for field in FIELDS {
+            assert_eq!(
+                object.contains_key(field),
+                !absent.contains(&field),
+                "{preset}: {field}"
+            );
+        }
+        assert!(
+            object.keys().all(|key| FIELDS.contains(&key.as_str())),
+            "{object:?}"
+        );
+        assert!(
+            object
+                .values()
+                .all(|value| value.is_string() || value.is_number()),
+            "{object:?}"
+        );
+    }
+}
+
+#[test]
+fn json_says_what_was_run() {
+    let soft = json(&[
+        "fig1b", "--method", "verlet", "--set", "n=7", "--set", "s0=2e-6",
+    ]);
+    assert_eq!(soft["preset"], "fig1b");
+    assert_eq!(soft["method"], "verlet");
+    assert_eq!(soft["law"], "hooke");
+    assert_eq!(soft["n"], 7);
+    assert_eq!(soft["s0"], 2e-6);
+    assert_eq!(soft["contact_time"], 0.7e-5);
+    let sigma0 = soft["sigma0"].as_f64().expect("a number");
+    assert!((sigma0 - 2e-6 / (0.2 * 0.7e-5)).abs() < 1e-12, "{sigma0}");
+    let hard = json(&["fig1b", "--method", "ed"]);
+    assert_eq!(hard["method"], "ed");
+    // DESIGN: the floor's own restitution, and with it the paper's 0.341.
+    let floor = hard["floor_restitution"].as_f64().expect("a number");
+    assert!((floor - 0.928_226).abs() < 1e-6, "{floor}");
+    let eps_eff = hard["eps_eff"].as_f64().expect("a number");
+    assert!((eps_eff - 0.341_547_47).abs() < 1e-6, "{eps_eff}");
+}
+
+#[test]
+fn the_mean_height_is_that_of_the_centre_of_mass() {
+    // Below α = 1 a hard column rides on the plate: its mean height is that of a
+    // stack, N d/2, since whole periods of the plate average to nothing.
+    let riding = ["fig6a", "--set", "alpha=0.5", "--set", "duration=10"];
+    let mean = json(&riding)["h_cm_mean"].as_f64().expect("a number");
+    assert!((mean - 10.0 * 3e-3 / 2.0).abs() < 1e-9, "{mean}");
+    // Two beads of sizes that the seed decides: heavier beads count more.
+    let sizes = [&riding[..], &["--set", "width=2e-3", "--set", "n=2"]].concat();
+    let mixed = json(&sizes)["h_cm_mean"].as_f64().expect("a number");
+    let facts = beadlab::scene::Preset::load("fig6a")
+        .expect("embedded")
+        .scene
+        .facts()
+        .clone();
+    let d = beadlab::scene::diameters(&beadlab::scene::Facts {
+        n: 2,
+        width: 2e-3,
+        ..facts
+    });
+    let (m, h) = (
+        [d[0].powi(3), d[1].powi(3)],
+        [d[0] / 2.0, d[0] + d[1] / 2.0],
+    );
+    let expected = (m[0] * h[0] + m[1] * h[1]) / (m[0] + m[1]);
+    assert!((mixed - expected).abs() < 1e-9, "{mixed} {expected}");
+}
+
+#[test]
+fn an_unfinished_floor_collision_has_no_eps_eff() {
+    let output = beadlab(&["run", "fig1b", "--set", "duration=1e-5", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let note = String::from_utf8(output.stderr).expect("UTF-8");
+    assert!(
+        note.contains("not over") && note.lines().count() == 1,
+        "{note}"
+    );
+    let object: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert!(
+        object.get("eps_eff").is_none() && object.get("sim_time").is_some(),
+        "{object}"
+    );
+}
+
+#[test]
+fn a_run_that_lost_its_energy_ledger_is_remarked_upon() {
+    let wild = [
+        "run",
+        "fig1a",
+        "--method",
+        "verlet",
+        "--set",
+        "steps_per_contact=2",
+    ];
+    let output = beadlab(&wild);
+    assert_eq!(output.status.code(), Some(0));
+    let note = String::from_utf8(output.stderr).expect("UTF-8");
+    assert!(
+        note.contains("energy ledger is off by") && note.lines().count() == 1,
+        "{note}"
+    );
+}
+
+#[test]
+fn the_same_scene_and_seed_give_the_same_bytes() {
+    let random = ["mixed-sizes", "--set", "n=4", "--set", "duration=0.1"];
+    let jittered = ["fig1b", "--set", "jitter=true", "--set", "width=5e-4"];
+    let hard = [&jittered[..], &["--method", "ed"]].concat();
+    let text = &[][..];
+    let series = &["--format", "csv", "--every", "1e-5"][..];
+    for scene in [&random[..], &jittered, &hard] {
+        for format in [text, &["--format", "csv"], series] {
+            let arguments = [&["run"], scene, format].concat();
+            assert_eq!(printed(&arguments), printed(&arguments), "{arguments:?}");
+            let reseeded = [&arguments[..], &["--set", "seed=2"]].concat();
+            assert_ne!(printed(&arguments), printed(&reseeded), "{arguments:?}");
+        }
+    }
+}
+
+/// Header and rows of CSV text.
+fn table(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let header = reader
+        .headers()
+        .expect("a header")
+        .iter()
+        .map(String::from)
+        .collect();
+    let row = |record: csv::StringRecord| record.iter().map(String::from).collect();
+    (
+        header,
+        reader
+            .records()
+            .map(|record| row(record.expect("a row")))
+            .collect(),
+    )
+}
+
+#[test]
+fn the_motion_has_a_row_at_every_multiple() {
+    let (header, rows) = table(&printed(&[
+        "run", "fig1e", "--set", "n=3", "--format", "csv", "--every", "1e-6",
+    ]));
+    assert_eq!(
+        header,
+        [
+            "time", "floor", "z1", "z2", "z3", "kinetic", "relative", "sigma"
+        ]
+    );
+    let number = |row: usize, column: usize| rows[row][column].parse::<f64>().expect("a number");
+    assert!(rows.len() > 5, "{}", rows.len());
+    for (row, cells) in rows.iter().enumerate() {
+        assert_eq!(
+            number(row, 0).to_bits(),
+            (row as f64 * 1e-6).to_bits(),
+            "row {row}"
+        );
+        assert_eq!(
+            (cells[1].as_str(), cells[7].as_str()),
+            ("0.0", ""),
+            "no plate, no σ"
+        );
+    }
+    // s0 = 1e-6 apart at the start: reduced heights 1, 2, 3 µm, v = −0.2 m/s.
+    for bead in 1..=3 {
+        assert!((number(0, 1 + bead) - bead as f64 * 1e-6).abs() < 1e-18);
+        assert!((number(1, 1 + bead) - (bead as f64 * 1e-6 - 0.2e-6)).abs() < 1e-15);
+    }
+    // Energies per mean bead: three beads of unit mass, and none relative yet.
+    assert!((number(0, 5) - 3.0 * 0.02).abs() < 1e-15);
+    assert!(number(0, 6).abs() < 1e-30);
+}
+
+#[test]
+fn the_motion_of_a_shaken_column_lasts_for_its_duration() {
+    let motion = [
+        "run",
+        "fig5b",
+        "--set",
+        "duration=0.1",
+        "--format",
+        "csv",
+        "--every",
+        "1e-2",
+    ];
+    let (header, rows) = table(&printed(&motion));
+    assert_eq!(header.len(), 2 + 10 + 3);
+    assert_eq!(rows.len(), 11);
+    let step = 0.7e-5 / 100.0;
+    for (row, cells) in rows.iter().enumerate() {
+        let time: f64 = cells[0].parse().expect("a number");
+        let asked = row as f64 * 1e-2;
+        assert!(
+            time <= asked && asked - time < 1.001 * step,
+            "grid time {time} for {asked}"
+        );
+        let floor: f64 = cells[1].parse().expect("a number");
+        let plate = 1.24e-3 * (std::f64::consts::TAU * 20.0 * time).sin();
+        assert!((floor - plate).abs() < 1e-12, "{floor} {plate}");
+    }
+}
+
+#[test]
+fn csv_without_an_interval_is_one_row_of_the_same_fields() {
+    let (header, rows) = table(&printed(&["run", "fig1e", "--format", "csv"]));
+    assert_eq!(
+        header,
+        FIELDS[..19],
+        "wall_time and speed measure the machine"
+    );
+    assert_eq!(rows.len(), 1);
+    let object = printed(&["run", "fig1e", "--format", "json"]);
+    for (name, cell) in header.iter().zip(&rows[0]) {
+        let line = object
+            .lines()
+            .find(|line| line.contains(&format!("\"{name}\": ")));
+        match line.and_then(|line| line.split_once(": ")) {
+            None => assert_eq!(cell, "", "{name}"),
+            Some((_, value)) => assert_eq!(cell, value.trim_matches([',', '"']), "{name}"),
+        }
+    }
+}
+
+#[test]
+fn text_leaves_out_what_the_scene_lacks_and_what_the_clock_says() {
+    let text = printed(&["run", "fig1e"]);
+    for name in ["preset", "eps_eff", "floor_restitution", "events"] {
+        assert_eq!(
+            text.lines().filter(|line| line.starts_with(name)).count(),
+            1,
+            "{name}: {text}"
+        );
+    }
+    for name in [
+        "contact_time",
+        "h_cm_mean",
+        "steps",
+        "wall_time",
+        "speed",
+        "took",
+    ] {
+        assert!(
+            !text.lines().any(|line| line.starts_with(name)),
+            "{name}: {text}"
+        );
+    }
+    assert!(
+        text.lines().all(|line| line.chars().count() < 100),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_file_appears_complete_or_not_at_all() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("out");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir(&folder).expect("the folder of the tests can be written");
+    let path = folder.join("fig1e.txt");
+    let out = path.to_str().expect("a UTF-8 path");
+    assert_eq!(printed(&["run", "fig1e", "--out", out]), "");
+    assert_eq!(
+        fs::read_to_string(&path).expect("a file"),
+        printed(&["run", "fig1e"])
+    );
+    failed(&[&UNSTABLE[..], &["--out", out]].concat(), 1);
+    assert_eq!(
+        fs::read_to_string(&path).expect("a file"),
+        printed(&["run", "fig1e"])
+    );
+    let names: Vec<_> = fs::read_dir(&folder).expect("a folder").collect();
+    assert_eq!(names.len(), 1, "nothing else is left: {names:?}");
+}
+
+#[test]
+fn a_reader_that_has_seen_enough_is_no_failure() {
+    let long = ["run", "fig7-ed", "--format", "csv", "--every", "1e-4"];
+    for arguments in [&long[..], &["presets"], &["--help"]] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_beadlab"))
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{arguments:?}");
+    }
+}
+
+#[test]
+fn help_tells_every_parameter() {
+    // Wherever its lines are broken.
+    let help = printed(&["run", "--help"])
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    for parameter in beadlab::scene::parameters::table() {
+        let entry = format!("{} {}", parameter.name, parameter.help);
+        assert!(help.contains(&entry), "{entry}");
+        assert!(
+            parameter.help.len() <= 58,
+            "fits 80 columns: {}",
+            parameter.help
+        );
+    }
+    assert!(printed(&["--help"]).contains("Examples:"));
+    assert!(printed(&["--version"]).starts_with("beadlab "));
+}
