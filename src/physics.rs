@@ -37,6 +37,17 @@ pub enum EngineError {
         /// The step in force.
         steps_per_contact: f64,
     },
+    /// So many steps lie ahead that the time after one is the time before it.
+    #[error(
+        "the next contact lies {steps:.1e} steps ahead of t = {time:.6e} s, \
+         more than a time can count (2^53)"
+    )]
+    BeyondTime {
+        /// When it was noticed, s.
+        time: f64,
+        /// Steps to the next contact.
+        steps: f64,
+    },
     /// Hard spheres produced a state that cannot be.
     #[error("the event engine lost the column at t = {time:.6e} s, bead {bead}: {what}")]
     Lost {

@@ -1,7 +1,7 @@
 //! Which gaps are contacts, when contacts begin and end, and the free flights between.
 
 /// Parts of a plate period in which flights are counted together.
-const BUCKETS: usize = 64;
+const BUCKETS: u64 = 64;
 
 /// The contacts of a column so far.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,31 +20,31 @@ pub(crate) struct ContactLog {
 #[derive(Debug, Clone, PartialEq)]
 struct Flights {
     period: Option<f64>,
-    buckets: Vec<(i64, f64, u64)>,
+    buckets: Vec<(u64, f64, u64)>,
 }
 
 impl Flights {
     fn new(period: Option<f64>) -> Self {
         let len = if period.is_some() { BUCKETS } else { 1 };
-        Self {
-            period,
-            buckets: vec![(0, 0.0, 0); len],
-        }
+        let buckets = (0..len).map(|_| (0, 0.0, 0)).collect();
+        Self { period, buckets }
     }
 
-    fn serial(&self, time: f64) -> i64 {
+    fn serial(&self, time: f64) -> u64 {
         #[expect(
             clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
             reason = "a count of 64ths of a period"
         )]
         self.period
-            .map_or(0, |period| (time / period * BUCKETS as f64).floor() as i64)
+            .map_or(0, |period| (time / period * BUCKETS as f64) as u64)
     }
 
     fn add(&mut self, time: f64, flight: f64) {
         let serial = self.serial(time);
-        let slot = serial.rem_euclid(self.buckets.len() as i64);
-        let bucket = &mut self.buckets[usize::try_from(slot).unwrap_or(0)];
+        // Without a period every serial is 0.
+        let slot = usize::try_from(serial % BUCKETS).expect("below 64");
+        let bucket = &mut self.buckets[slot];
         if bucket.0 != serial {
             *bucket = (serial, 0.0, 0);
         }
@@ -53,10 +53,10 @@ impl Flights {
     }
 
     fn sum(&self, time: f64) -> (f64, u64) {
-        let oldest = self.serial(time) - self.buckets.len() as i64;
+        let serial = self.serial(time);
         self.buckets
             .iter()
-            .filter(|bucket| bucket.0 > oldest)
+            .filter(|bucket| bucket.0 + BUCKETS > serial)
             .fold((0.0, 0), |(sum, count), bucket| {
                 (sum + bucket.1, count + bucket.2)
             })

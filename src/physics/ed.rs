@@ -8,6 +8,7 @@
 mod cascade;
 mod chatter;
 mod ground;
+mod rule;
 mod tournament;
 
 use super::column::{masses, reduced_mass, restitutions};
@@ -19,6 +20,7 @@ use super::{Engine, EngineError, Outcome};
 use crate::scene::{CollisionRule, Floor, Method, Scene, Start};
 use chatter::Chatter;
 use ground::{Free, Ground, Shaken, Weight, closing};
+use rule::{Always, LastCollisions, Rule};
 use tournament::Tournament;
 
 /// Part of the scene's own speed below which an approach counts as none: the
@@ -53,57 +55,6 @@ fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box
             LastCollisions::new(scene.n, contact_time),
         )),
         _ => Box::new(Ed::new(scene, state, ground, Always)),
-    }
-}
-
-/// Whether a collision loses energy.
-trait Rule: Send {
-    /// Whether a collision of beads `below` (none: the floor) and `above` at `t` is
-    /// elastic; it is noted as their last.
-    fn elastic(&mut self, below: Option<usize>, above: usize, t: f64) -> bool;
-    /// Moves the origin of time on.
-    fn shift(&mut self, shift: f64);
-}
-
-/// Every collision does.
-struct Always;
-
-impl Rule for Always {
-    fn elastic(&mut self, _: Option<usize>, _: usize, _: f64) -> bool {
-        false
-    }
-    fn shift(&mut self, _: f64) {}
-}
-
-/// The TC model of Luding & McNamara (1998): not within t_c of a bead's last one.
-struct LastCollisions {
-    contact_time: f64,
-    last: Vec<f64>,
-}
-
-impl LastCollisions {
-    fn new(n: usize, contact_time: f64) -> Self {
-        Self {
-            contact_time,
-            last: vec![f64::NEG_INFINITY; n],
-        }
-    }
-}
-
-impl Rule for LastCollisions {
-    fn elastic(&mut self, below: Option<usize>, above: usize, t: f64) -> bool {
-        let mut elastic = false;
-        for bead in below.into_iter().chain([above]) {
-            elastic |= t - self.last[bead] < self.contact_time;
-            self.last[bead] = t;
-        }
-        elastic
-    }
-
-    fn shift(&mut self, shift: f64) {
-        for last in &mut self.last {
-            *last -= shift;
-        }
     }
 }
 

@@ -7,6 +7,7 @@
 mod chain;
 mod gear;
 mod ground;
+mod stepper;
 mod verlet;
 
 use super::column::masses;
@@ -19,41 +20,17 @@ use crate::scene::{Floor, Integrator, Method, Scene};
 use chain::{Chain, Equal, Unequal};
 use gear::Gear;
 use ground::{Free, Ground, Shaken, Weight};
+use stepper::Stepper;
 use verlet::Verlet;
 
 /// Steps between two looks at the numbers themselves.
 const HOUSEKEEPING: u64 = 32;
 /// Steps between two looks at the energy.
 const INSPECTION: u64 = 1024;
+/// Steps that a time can count, 2^53.
+const MOST_STEPS: f64 = 9_007_199_254_740_992.0;
 /// A floor collision is over when what is to come cannot change E by this part of it.
 const OVER: f64 = 1e-12;
-
-/// What an integrator does. Its state is gaps, rates and derivatives of its own.
-trait Stepper: Send + Sized {
-    /// Starts from gaps and rates, with forces in force now and steps of `h` s.
-    fn start<C: Chain, G: Ground>(
-        gaps: &[f64],
-        rates: &[f64],
-        h: f64,
-        chain: &C,
-        ground: &G,
-    ) -> Self;
-    /// One step; whether any gap may have changed between contact and flight.
-    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G) -> bool;
-    /// Flies on for `steps` steps at constant rates.
-    fn coast(&mut self, steps: u64);
-    /// The gaps, m.
-    fn gaps(&self) -> &[f64];
-    /// Writes the rates, m/s.
-    fn rates(&self, into: &mut Vec<f64>);
-    /// What contacts have lost since this was last cleared, m²/s².
-    fn lost(&self) -> f64;
-    /// Work of the plate since this was last cleared, m²/s².
-    fn plate_work(&self) -> f64;
-    /// Clears both, and numbers too small to matter: in free flight derivatives decay
-    /// into subnormals, which cost 20 to 40 times as much to compute with.
-    fn clear(&mut self);
-}
 
 /// Builds the engine of an MD scene.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
@@ -200,12 +177,16 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
 
     /// The last grid point not after `until`.
     fn last_step(&self, until: f64) -> u64 {
+        let estimate = ((until - self.origin) / self.h).max(0.0);
+        if estimate >= MOST_STEPS {
+            return u64::MAX;
+        }
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "a float-to-int cast saturates"
+            reason = "between 0 and 2^53"
         )]
-        let mut n = ((until - self.origin) / self.h).max(0.0) as u64;
+        let mut n = estimate as u64;
         while n > 0 && self.grid(n) > until {
             n -= 1;
         }
@@ -295,31 +276,38 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
 
     /// Goes on in one flight to just before the next contact, if nothing pulls and no
     /// contact has been closed since the last look.
-    fn look_for_flight(&mut self) {
+    fn look_for_flight(&mut self) -> Result<(), EngineError> {
         let since = self.state.books.contacts.last().unwrap_or(self.origin);
         let settled = self.time() - since > HOUSEKEEPING as f64 * self.h;
         if G::PULLS || !settled || !self.state.books.contacts.all_open() {
-            return;
+            return Ok(());
         }
         let closing = |(g, w): (&f64, f64)| if w < 0.0 { -g / w } else { f64::INFINITY };
-        let next = self
-            .stepper
-            .gaps()
+        let gaps = self.stepper.gaps();
+        let next = gaps
             .iter()
             .zip(self.rates())
             .map(closing)
             .fold(f64::INFINITY, f64::min);
+        let ahead = next / self.h;
+        if ahead.is_finite() && self.n as f64 + ahead >= MOST_STEPS && !self.over {
+            return Err(EngineError::BeyondTime {
+                time: self.time(),
+                steps: ahead,
+            });
+        }
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "a float-to-int cast saturates"
+            reason = "a count of steps, or infinite"
         )]
-        let steps = (next / self.h).min(1e18) as u64;
+        let steps = ahead.min(u64::MAX as f64) as u64;
         // The last steps are done one by one: the closed form must not overshoot.
         let steps = steps.saturating_sub(2) / HOUSEKEEPING * HOUSEKEEPING;
         if steps > 0 {
-            self.flight = Some((self.n, self.n + steps));
+            self.flight = Some((self.n, self.n.saturating_add(steps)));
         }
+        Ok(())
     }
 
     /// Passes through a flight, up to grid point `last` at most.
@@ -348,7 +336,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     fn housekeeping(&mut self) -> Result<(), EngineError> {
         fold(&mut self.state.books.ledger, &self.stepper, self.h);
         self.stepper.clear();
-        self.look_for_flight();
+        self.look_for_flight()?;
         let sound = self.stepper.gaps().iter().sum::<f64>().is_finite();
         if sound && !(self.n.is_multiple_of(INSPECTION) && self.lost_the_energy()) {
             return Ok(());
@@ -418,15 +406,6 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for M
             books,
             gaps,
             rates,
-        }
-    }
-}
-
-/// Sets to zero what is too small to matter to anything (lengths of 10⁻²⁰⁰ m).
-fn flush(row: &mut [f64]) {
-    for x in row {
-        if x.abs() < 1e-200 {
-            *x = 0.0;
         }
     }
 }

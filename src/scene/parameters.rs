@@ -1,6 +1,7 @@
 //! The one table of parameters: `--set`, preset files, errors, help and the
 //! explorer's panel all read it. A new parameter is a new row.
 
+mod access;
 mod display;
 mod layer;
 mod nudge;

@@ -6,9 +6,9 @@ use super::{Facts, Floor, Scene, SceneError, Start};
 /// Largest width of the diameters, over the mean diameter: beads keep 1/20 of it.
 const WIDEST: f64 = 1.9;
 
-/// Slowest approach to a floor without gravity, m/s; slower ones have energies
-/// that are lost among the rounding errors.
-const SLOWEST: f64 = 1e-9;
+/// Slowest approach to a floor without gravity, m/s: the square of a slower one, its
+/// energy, leaves the range of numbers before a column has spent it.
+const SLOWEST: f64 = 1e-60;
 
 impl Scene {
     /// Checks the facts: every value in the range of the parameter table, and all

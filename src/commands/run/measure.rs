@@ -144,7 +144,7 @@ fn stacking_height(scene: &Scene) -> f64 {
     moment / mass
 }
 
-/// The fields of DESIGN, in their order.
+/// All fields in their order: the scene's, then what was measured.
 fn rows(
     preset: &Preset,
     measured: &Measured,
@@ -152,17 +152,31 @@ fn rows(
     sim_time: f64,
     wall_time: f64,
 ) -> Vec<Row> {
+    let mut rows = of_the_scene(preset);
+    rows.extend(of_the_run(&preset.scene, measured, last));
+    rows.push(Row::new(
+        "sim_time",
+        Some(Cell::Number(sim_time)),
+        "s",
+        "simulated",
+    ));
+    rows.push(Row::of_the_machine("wall_time", wall_time, "s", "taken"));
+    rows.push(Row::of_the_machine(
+        "speed",
+        sim_time / wall_time,
+        "",
+        "sim_time/wall_time",
+    ));
+    rows
+}
+
+fn of_the_scene(preset: &Preset) -> Vec<Row> {
     let scene = &preset.scene;
     let method = scene.method.name();
     let start = match scene.start {
         Start::Separated { s0, v0, .. } => Some((s0, v0)),
         Start::Resting => None,
     };
-    let sigma = last
-        .free_flight
-        .zip(scene.contact_time())
-        .map(|(flight, t_c)| flight / t_c);
-    let soft = scene.is_md();
     let word = |text: &str| Some(Cell::Word(text.to_owned()));
     let number = |x: f64| Some(Cell::Number(x));
     vec![
@@ -170,7 +184,7 @@ fn rows(
         Row::new("method", word(method.as_str()), "", method.meaning()),
         Row::new(
             "law",
-            soft.then(|| Cell::Word("hooke".into())),
+            scene.is_md().then(|| Cell::Word("hooke".into())),
             "",
             "linear spring and dashpot",
         ),
@@ -206,6 +220,16 @@ fn rows(
             "",
             "s0/(|v0| contact_time)",
         ),
+    ]
+}
+
+fn of_the_run(scene: &Scene, measured: &Measured, last: &Observation) -> Vec<Row> {
+    let sigma = last
+        .free_flight
+        .zip(scene.contact_time())
+        .map(|(flight, t_c)| flight / t_c);
+    let soft = scene.is_md();
+    vec![
         Row::new(
             "eps_eff",
             measured.eps_eff.map(Cell::Number),
@@ -222,7 +246,7 @@ fn rows(
             "contact_duration",
             measured.contact_duration.map(Cell::Number),
             "s",
-            "from the first to the last contact",
+            "the floor's, from first touch to last",
         ),
         Row::new(
             "h_cm_mean",
@@ -238,7 +262,7 @@ fn rows(
         ),
         Row::new(
             "energy_drift",
-            number(last.energy.drift),
+            Some(Cell::Number(last.energy.drift)),
             "",
             "relative error of the ledger",
         ),
@@ -254,8 +278,5 @@ fn rows(
             "",
             "time steps",
         ),
-        Row::new("sim_time", number(sim_time), "s", "simulated"),
-        Row::of_the_machine("wall_time", wall_time, "s", "taken"),
-        Row::of_the_machine("speed", sim_time / wall_time, "", "sim_time/wall_time"),
     ]
 }

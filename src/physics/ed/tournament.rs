@@ -47,7 +47,7 @@ impl Tournament {
         }
         self.keys[i] = key;
         let i = u32::try_from(i).expect("as in new");
-        let mut node = (self.leaves + i as usize) / 2;
+        let mut node = usize::midpoint(self.leaves, i as usize);
         while node > 0 {
             let changed = self.play(node);
             // Above a match that the new key neither won nor wins, nothing changes.
@@ -95,7 +95,7 @@ mod tests {
                     .wrapping_mul(6_364_136_223_846_793_005)
                     .wrapping_add(1_442_695_040_888_963_407);
                 let i = (random >> 33) as usize % n;
-                let key = if random & 7 == 0 {
+                let key = if random.is_multiple_of(7) {
                     f64::INFINITY
                 } else {
                     ((random >> 20) % 50) as f64

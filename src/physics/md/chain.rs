@@ -5,9 +5,12 @@ use crate::physics::column::Spring;
 /// Contacts and masses of a chain. `ATTRACTION` of the implementations says whether
 /// the short attractive end of a contact acts, as in the paper, or is cut off.
 pub(crate) trait Chain: Send {
-    /// Force of the contact at gap `i`, and the power it loses, at gap `g` with rate
-    /// `w`; in mean bead masses. Beads just touching are in contact.
-    fn contact(&self, i: usize, g: f64, w: f64) -> (f64, f64);
+    /// Force of the contact at gap `i` > 0, and the power it loses, at gap `g` with
+    /// rate `w`; in mean bead masses. Beads just touching are in contact.
+    fn pair(&self, i: usize, g: f64, w: f64) -> (f64, f64);
+
+    /// The same for the contact with the floor.
+    fn floor(&self, g: f64, w: f64) -> (f64, f64);
 
     /// Acceleration of gap `i` > 0 under the contact forces, `forces[n]` being the
     /// free end's, 0.
@@ -47,8 +50,13 @@ impl<const ATTRACTION: bool> Equal<ATTRACTION> {
 
 impl<const ATTRACTION: bool> Chain for Equal<ATTRACTION> {
     #[inline]
-    fn contact(&self, i: usize, g: f64, w: f64) -> (f64, f64) {
-        push::<ATTRACTION>(if i == 0 { self.floor } else { self.pair }, g, w)
+    fn pair(&self, _: usize, g: f64, w: f64) -> (f64, f64) {
+        push::<ATTRACTION>(self.pair, g, w)
+    }
+
+    #[inline]
+    fn floor(&self, g: f64, w: f64) -> (f64, f64) {
+        push::<ATTRACTION>(self.floor, g, w)
     }
 
     #[inline]
@@ -79,8 +87,13 @@ impl<const ATTRACTION: bool> Unequal<ATTRACTION> {
 
 impl<const ATTRACTION: bool> Chain for Unequal<ATTRACTION> {
     #[inline]
-    fn contact(&self, i: usize, g: f64, w: f64) -> (f64, f64) {
+    fn pair(&self, i: usize, g: f64, w: f64) -> (f64, f64) {
         push::<ATTRACTION>(self.springs[i], g, w)
+    }
+
+    #[inline]
+    fn floor(&self, g: f64, w: f64) -> (f64, f64) {
+        push::<ATTRACTION>(self.springs[0], g, w)
     }
 
     #[inline]
@@ -93,4 +106,14 @@ impl<const ATTRACTION: bool> Chain for Unequal<ATTRACTION> {
     fn first(&self, forces: &[f64]) -> f64 {
         (forces[0] - forces[1]) * self.inverse[0]
     }
+}
+
+/// Forces of all contacts at these gaps and rates, with the free end's 0.
+pub(super) fn forces<C: Chain>(chain: &C, gaps: &[f64], rates: &[f64]) -> Vec<f64> {
+    let mut forces = vec![0.0; gaps.len() + 1];
+    forces[0] = chain.floor(gaps[0], rates[0]).0;
+    for i in 1..gaps.len() {
+        forces[i] = chain.pair(i, gaps[i], rates[i]).0;
+    }
+    forces
 }

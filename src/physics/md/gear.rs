@@ -3,9 +3,9 @@
 //! State: the scaled derivatives r_k = (h^k/k!) d^k g/dt^k, k = 0..5. The predictor is
 //! their Taylor series; the corrector adds c_k Δ, Δ = (h²/2) g̈ − r₂.
 
-use super::chain::Chain;
+use super::chain::{Chain, forces};
 use super::ground::Ground;
-use super::{Stepper, flush};
+use super::stepper::{Stepper, flush};
 
 /// Corrector coefficients for a second-order equation whose force depends on
 /// velocity (3/16 in place of 3/20).
@@ -41,7 +41,7 @@ impl Gear {
         let [r0, r1, r2, r3, r4, r5] = split(&mut self.r, n);
         let (forces, lost) = (&mut self.forces[..n], &mut self.lost[..n]);
         let mut changed = false;
-        for i in 0..n {
+        let mut predict = |i: usize| {
             let (a, b, c, d, e, f) = (r0[i], r1[i], r2[i], r3[i], r4[i], r5[i]);
             let g = a + b + c + d + e + f;
             let gh = b + 2.0 * c + 3.0 * d + 4.0 * e + 5.0 * f;
@@ -51,9 +51,17 @@ impl Gear {
             r2[i] = c + 3.0 * d + 6.0 * e + 10.0 * f;
             r3[i] = d + 4.0 * e + 10.0 * f;
             r4[i] = e + 5.0 * f;
-            let (force, power) = chain.contact(i, g, gh * per_step);
+            (g, gh * per_step)
+        };
+        let mut push = |i: usize, (force, power): (f64, f64)| {
             forces[i] = force;
             lost[i] += power;
+        };
+        let (g, w) = predict(0);
+        push(0, chain.floor(g, w));
+        for i in 1..n {
+            let (g, w) = predict(i);
+            push(i, chain.pair(i, g, w));
         }
         changed
     }
@@ -92,10 +100,7 @@ impl Stepper for Gear {
         ground: &G,
     ) -> Self {
         let n = gaps.len();
-        let mut forces = vec![0.0; n + 1];
-        for i in 0..n {
-            forces[i] = chain.contact(i, gaps[i], rates[i]).0;
-        }
+        let forces = forces(chain, gaps, rates);
         let half = 0.5 * h * h;
         let mut r: [Vec<f64>; 6] = std::array::from_fn(|_| vec![0.0; n]);
         r[0].copy_from_slice(gaps);

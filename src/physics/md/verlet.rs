@@ -1,9 +1,9 @@
 //! Velocity Verlet. The dashpot needs the velocity at the end of the step before it
 //! is known; it gets the one that the old acceleration predicts.
 
-use super::chain::Chain;
+use super::chain::{Chain, forces};
 use super::ground::Ground;
-use super::{Stepper, flush};
+use super::stepper::{Stepper, flush};
 
 pub(crate) struct Verlet {
     h: f64,
@@ -43,13 +43,10 @@ impl Stepper for Verlet {
             gaps: gaps.to_vec(),
             rates: rates.to_vec(),
             accelerations: vec![0.0; n],
-            forces: vec![0.0; n + 1],
+            forces: forces(chain, gaps, rates),
             lost: vec![0.0; n],
             plate_power: 0.0,
         };
-        for i in 0..n {
-            verlet.forces[i] = chain.contact(i, gaps[i], rates[i]).0;
-        }
         verlet.accelerate(chain, ground);
         verlet
     }
@@ -63,15 +60,24 @@ impl Stepper for Verlet {
         let forces = &mut self.forces[..=n];
         let lost = &mut self.lost[..n];
         let mut changed = false;
-        for i in 0..n {
-            let half = rates[i] + 0.5 * h * accelerations[i];
+        let mut drift = |i: usize| {
+            let kick = 0.5 * h * accelerations[i];
+            let half = rates[i] + kick;
             let g = gaps[i] + h * half;
             changed |= (g <= 0.0) != (gaps[i] <= 0.0);
             gaps[i] = g;
             rates[i] = half;
-            let (force, power) = chain.contact(i, g, half + 0.5 * h * accelerations[i]);
+            (g, half + kick)
+        };
+        let mut push = |i: usize, (force, power): (f64, f64)| {
             forces[i] = force;
             lost[i] += power;
+        };
+        let (g, w) = drift(0);
+        push(0, chain.floor(g, w));
+        for i in 1..n {
+            let (g, w) = drift(i);
+            push(i, chain.pair(i, g, w));
         }
         for i in 1..n {
             accelerations[i] = chain.acceleration(forces, i);

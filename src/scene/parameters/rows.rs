@@ -1,15 +1,19 @@
 //! The rows of the table.
 
+use super::access::{
+    choice, flag, number, plate, separated, set_alpha, set_amplitude, set_contact_time,
+    set_frequency, set_rule, soft, whole,
+};
 use super::{Kind, Parameter, Scale, Value};
-use crate::scene::{CollisionRule, Facts, Floor, FloorContact, Method, Start, angular};
+use crate::scene::{CollisionRule, FloorContact, Method, Start};
 
 /// The largest seed that a JSON number holds exactly.
 const LARGEST_SEED: u64 = 1 << 53;
 
 const SAME_SPRING: &str = "same-spring";
 const SAME_RESTITUTION: &str = "same-restitution";
-const LRV: &str = "lrv";
-const TC: &str = "tc";
+pub(super) const LRV: &str = "lrv";
+pub(super) const TC: &str = "tc";
 
 const SEPARATED: &str = "scenes with start separated";
 const SOFT: &str = "scenes with soft contacts (method gear or verlet)";
@@ -71,8 +75,8 @@ pub(super) static ROWS: &[Parameter] = &[
         get: |facts| Some(Value::Whole(facts.n as u64)),
         set: |facts, value| {
             whole(value, |n| {
-                facts.n = usize::try_from(n).unwrap_or(usize::MAX)
-            })
+                facts.n = usize::try_from(n).unwrap_or(usize::MAX);
+            });
         },
         ..ROW
     },
@@ -403,102 +407,3 @@ pub(super) static ROWS: &[Parameter] = &[
         ..ROW
     },
 ];
-
-// The table hands over values of the row's own kind only.
-
-fn number(value: Value, put: impl FnOnce(f64)) {
-    if let Value::Number(x) = value {
-        put(x);
-    }
-}
-
-fn whole(value: Value, put: impl FnOnce(u64)) {
-    if let Value::Whole(k) = value {
-        put(k);
-    }
-}
-
-fn flag(value: Value, put: impl FnOnce(bool)) {
-    if let Value::Flag(on) = value {
-        put(on);
-    }
-}
-
-fn choice(value: Value, put: impl FnOnce(&'static str)) {
-    if let Value::Choice(word) = value {
-        put(word);
-    }
-}
-
-/// s₀, v₀ and jitter of a separated start.
-fn separated(facts: &Facts) -> Option<(f64, f64, bool)> {
-    match facts.start {
-        Start::Separated { s0, jitter, v0 } => Some((s0, v0, jitter)),
-        Start::Resting => None,
-    }
-}
-
-/// Steps in a contact time, and attraction, of soft contacts.
-fn soft(facts: &Facts) -> Option<(f64, bool)> {
-    match facts.method {
-        Method::Md {
-            steps_per_contact,
-            attraction,
-            ..
-        } => Some((steps_per_contact, attraction)),
-        Method::Ed { .. } => None,
-    }
-}
-
-/// Amplitude and frequency of a vibrating floor.
-fn plate(facts: &Facts) -> Option<(f64, f64)> {
-    match facts.floor {
-        Floor::Vibrating {
-            amplitude,
-            frequency,
-        } => Some((amplitude, frequency)),
-        Floor::Fixed => None,
-    }
-}
-
-fn set_contact_time(facts: &mut Facts, to: f64) {
-    if let Method::Md { contact_time, .. }
-    | Method::Ed {
-        rule: CollisionRule::Tc { contact_time },
-    } = &mut facts.method
-    {
-        *contact_time = to;
-    }
-}
-
-fn set_amplitude(facts: &mut Facts, to: f64) {
-    if let Floor::Vibrating { amplitude, .. } = &mut facts.floor {
-        *amplitude = to;
-    }
-}
-
-fn set_frequency(facts: &mut Facts, to: f64) {
-    if let Floor::Vibrating { frequency, .. } = &mut facts.floor {
-        *frequency = to;
-    }
-}
-
-/// A₀ = α g/(2πf)² for the frequency and gravity in force.
-fn set_alpha(facts: &mut Facts, alpha: f64) {
-    if let (Some((_, frequency)), Some(gravity)) = (plate(facts), facts.gravity) {
-        set_amplitude(facts, alpha * gravity / angular(frequency).powi(2));
-    }
-}
-
-/// The TC rule starts without a contact time: NaN, "not given yet".
-fn set_rule(facts: &mut Facts, word: &str) {
-    if let Method::Ed { rule } = &mut facts.method {
-        *rule = match (word, *rule) {
-            (TC, CollisionRule::Lrv) => CollisionRule::Tc {
-                contact_time: f64::NAN,
-            },
-            (TC, timed) => timed,
-            _ => CollisionRule::Lrv,
-        };
-    }
-}
