@@ -39,7 +39,9 @@ pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
         (Floor::Vibrating { .. }, gravity) => {
             with_rule(scene, state, Shaken::new(gravity.unwrap_or(0.0), plate))
         }
-        (Floor::Fixed, Some(gravity)) => with_rule(scene, state, Weight { gravity, plate }),
+        (Floor::Fixed, Some(gravity)) => {
+            with_rule(scene, state, Weight::new(gravity, plate, scene.diameter))
+        }
         (Floor::Fixed, None) => with_rule(scene, state, Free { plate }),
     }
 }

@@ -145,12 +145,19 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }));
         let before = velocities.clone();
         totally_inelastic(&mut velocities, &self.masses[first..=high], on_floor);
-        self.set_velocities(first, &before, &velocities, t);
+        self.set_velocities(first, on_floor, &before, &velocities, t);
     }
 
     /// Gives the beads from `first` on the velocities `after` in place of `before`,
     /// both in the frame of the floor or of any other body, and books the difference.
-    fn set_velocities(&mut self, first: usize, before: &[f64], after: &[f64], t: f64) {
+    fn set_velocities(
+        &mut self,
+        first: usize,
+        on_floor: bool,
+        before: &[f64],
+        after: &[f64],
+        t: f64,
+    ) {
         let (mut lost, mut momentum) = (0.0, 0.0);
         for (k, (u, v)) in before.iter().zip(after).enumerate() {
             let (bead, change) = (first + k, v - u);
@@ -159,7 +166,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             momentum += m * change;
             // Two beads of one pool must not part by a rounding.
             let together = if k == 0 {
-                first == 0 && *v == 0.0
+                on_floor && *v == 0.0
             } else {
                 after[k - 1] == *v
             };
@@ -175,7 +182,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let books = &mut self.state.books.ledger;
         books.lost.add(lost);
         // Only the floor can take momentum; without it the pools conserve theirs.
-        if G::PULLS && first == 0 {
+        if G::PULLS && on_floor {
             books
                 .plate_work
                 .add(momentum * self.ground.plate(t).velocity());

@@ -70,8 +70,27 @@ pub(crate) fn closing(t0: f64, g: f64, w: f64) -> f64 {
 
 /// A fixed floor under gravity.
 pub(crate) struct Weight {
-    pub gravity: f64,
-    pub plate: Plate,
+    gravity: f64,
+    plate: Plate,
+    tick: f64,
+}
+
+impl Weight {
+    /// Under `gravity`, for beads of mean diameter `diameter`: times are kept small
+    /// against that in which one falls by its own size.
+    pub fn new(gravity: f64, plate: Plate, diameter: f64) -> Self {
+        let tick = power_of_two((diameter / gravity).sqrt());
+        Self {
+            gravity,
+            plate,
+            tick,
+        }
+    }
+}
+
+/// The power of two nearest to `x`.
+fn power_of_two(x: f64) -> f64 {
+    x.log2().round().exp2()
 }
 
 impl Ground for Weight {
@@ -102,7 +121,7 @@ impl Ground for Weight {
     }
 
     fn tick(&self) -> f64 {
-        1.0
+        self.tick
     }
 }
 
@@ -190,7 +209,7 @@ impl Shaken {
     pub fn new(gravity: f64, plate: Plate) -> Self {
         let shake = plate.amplitude * plate.omega * plate.omega;
         let take_off = (shake > gravity).then(|| (gravity / shake).asin());
-        let tick = (TAU / plate.omega).log2().round().exp2();
+        let tick = power_of_two(TAU / plate.omega);
         Self {
             gravity,
             plate,

@@ -1,0 +1,243 @@
+//! What keys do to the model, and what they ask of the simulation.
+
+#[path = "support/explorer.rs"]
+mod explorer;
+
+use std::time::Instant;
+
+use beadlab::live::Order;
+use beadlab::scene::{MethodName, Start};
+use beadlab::tui::model::{Model, Overlay};
+use beadlab::tui::update::{Command, Msg, update};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use explorer::{COLOURS, preset};
+
+fn model(name: &str) -> Model {
+    Model::new(preset(name), None, COLOURS, (80, 24))
+        .expect("the preset has its twin")
+        .0
+}
+
+fn press(model: &mut Model, code: KeyCode) -> Option<Command> {
+    let key = KeyEvent::new(code, KeyModifiers::NONE);
+    update(model, Msg::Key(key), Instant::now())
+}
+
+fn type_keys(model: &mut Model, keys: &str) -> Option<Command> {
+    keys.chars()
+        .map(|c| press(model, KeyCode::Char(c)))
+        .last()
+        .flatten()
+}
+
+fn enter(model: &mut Model, text: &str) -> Option<Command> {
+    type_keys(model, text);
+    press(model, KeyCode::Enter)
+}
+
+fn edited(command: Option<Command>) -> bool {
+    matches!(command, Some(Command::Order(Order::Edit { .. })))
+}
+
+fn restarted(command: Option<Command>) -> bool {
+    matches!(command, Some(Command::Order(Order::Load { .. })))
+}
+
+fn restitutions(model: &Model) -> Vec<f64> {
+    model
+        .bench
+        .scenes()
+        .iter()
+        .map(|scene| scene.restitution)
+        .collect()
+}
+
+#[test]
+fn an_edit_reaches_both_twins() {
+    let mut model = model("shaken");
+    assert!(edited(type_keys(&mut model, "E")));
+    assert_eq!(restitutions(&model), [0.61, 0.61]);
+    assert!(edited(type_keys(&mut model, "t")));
+    assert!(model.bench.contact_time().expect("MD has one") < 7e-6);
+    assert!(edited(type_keys(&mut model, "A")) && edited(type_keys(&mut model, "f")));
+}
+
+#[test]
+fn an_edit_that_one_twin_refuses_reaches_none() {
+    let mut model = model("shaken");
+    // Hard spheres could have it, soft ones cannot.
+    assert!(enter(&mut model, ":restitution=0").is_none());
+    assert_eq!(restitutions(&model), [0.6, 0.6]);
+    let message = model.message.as_ref().expect("the refusal is told");
+    assert!(message.alarm && message.text.contains("restitution") && !message.text.contains('\n'));
+}
+
+#[test]
+fn bad_entries_change_nothing_and_are_told_in_a_line() {
+    let mut model = model("shaken");
+    let before = model.bench.scenes().to_vec();
+    for text in [
+        ":restitution=nan",
+        ":foo=1",
+        ":v0=1",
+        ":n=0",
+        ":frequency=inf",
+        ":alpha=x",
+        ":oops",
+        ":speed=-1",
+    ] {
+        assert!(enter(&mut model, text).is_none(), "{text}");
+        let message = model.message.as_ref().expect("it is told");
+        assert!(
+            message.alarm && message.text.lines().count() == 1,
+            "{text}: {}",
+            message.text
+        );
+    }
+    assert_eq!(model.bench.scenes(), before);
+}
+
+#[test]
+fn exact_values_are_typed_for_the_selected_row_or_by_name() {
+    let mut model = model("shaken");
+    let row = model
+        .bench
+        .parameters()
+        .iter()
+        .position(|p| p.name == "restitution");
+    for _ in 0..row.expect("every scene has one") {
+        press(&mut model, KeyCode::Down);
+    }
+    press(&mut model, KeyCode::Enter);
+    assert!(edited(enter(&mut model, "0.875")));
+    assert_eq!(restitutions(&model), [0.875, 0.875]);
+    assert!(edited(enter(&mut model, ":alpha=3")));
+    let alpha = model.bench.scenes()[1].alpha().expect("the plate shakes");
+    assert!((alpha - 3.0).abs() < 1e-9);
+}
+
+#[test]
+fn undo_and_reset_lead_back() {
+    let mut model = model("shaken");
+    let start = model.bench.scenes().to_vec();
+    type_keys(&mut model, "EEE");
+    assert!(edited(type_keys(&mut model, "u")));
+    assert_eq!(restitutions(&model), [0.62, 0.62]);
+    assert!(edited(type_keys(&mut model, "0")));
+    assert_eq!(model.bench.scenes(), start);
+    assert!(edited(type_keys(&mut model, "u")));
+    assert_eq!(restitutions(&model), [0.62, 0.62]);
+    type_keys(&mut model, "uu");
+    assert!(
+        type_keys(&mut model, "u").is_none(),
+        "there is nothing more to undo"
+    );
+}
+
+#[test]
+fn what_acts_from_the_start_restarts() {
+    let mut model = model("fig1b");
+    assert!(restarted(enter(&mut model, ":s0=1e-5")));
+    assert!(
+        matches!(model.bench.scenes()[0].start, Start::Separated { s0, .. } if (s0 - 1e-5).abs() < 1e-18)
+    );
+    assert!(restarted(enter(&mut model, ":n=20")));
+    assert!(model.bench.scenes().iter().all(|scene| scene.n == 20));
+    assert!(restarted(type_keys(&mut model, "u")));
+    assert!(edited(type_keys(&mut model, "E")));
+}
+
+#[test]
+fn m_goes_round_the_methods_and_keeps_the_contact_time() {
+    let mut model = model("shaken");
+    let name = |model: &Model| model.bench.scenes()[0].method.name();
+    for expected in [MethodName::Verlet, MethodName::Ed, MethodName::Gear] {
+        assert!(edited(type_keys(&mut model, "m")));
+        assert_eq!(name(&model), expected);
+    }
+    assert_eq!(
+        model.bench.scenes()[0].contact_time(),
+        preset("shaken").scene.contact_time()
+    );
+}
+
+#[test]
+fn w_takes_the_twin_away_and_brings_it_back_from_here() {
+    let mut model = model("shaken");
+    let off = type_keys(&mut model, "w");
+    assert!(
+        matches!(off, Some(Command::Order(Order::Edit { scenes, from })) if scenes.len() == 1 && from == [0])
+    );
+    let on = type_keys(&mut model, "w");
+    assert!(
+        matches!(on, Some(Command::Order(Order::Edit { scenes, from })) if scenes.len() == 2 && from == [0, 0])
+    );
+}
+
+#[test]
+fn only_parameters_of_the_scene_are_on_the_panel() {
+    let names = |name: &str| {
+        model(name)
+            .bench
+            .parameters()
+            .iter()
+            .map(|p| p.name)
+            .collect::<Vec<_>>()
+    };
+    let collision = names("fig1a");
+    assert!(
+        collision.contains(&"s0")
+            && !collision.contains(&"amplitude")
+            && !collision.contains(&"gravity")
+    );
+    let shaken = names("shaken");
+    assert!(shaken.contains(&"alpha") && !shaken.contains(&"v0"));
+    let mut model = model("fig1a");
+    assert!(type_keys(&mut model, "A").is_none());
+    assert!(
+        model
+            .message
+            .is_some_and(|message| message.text.contains("amplitude"))
+    );
+}
+
+#[test]
+fn space_steps_and_speeds_ask_for_what_they_say() {
+    let mut model = model("shaken");
+    assert!(matches!(
+        type_keys(&mut model, " "),
+        Some(Command::Order(Order::Run(false)))
+    ));
+    assert!(matches!(
+        type_keys(&mut model, " "),
+        Some(Command::Order(Order::Run(true)))
+    ));
+    assert!(
+        matches!(type_keys(&mut model, "."), Some(Command::Order(Order::Step(time))) if time > 0.0)
+    );
+    assert!(matches!(
+        type_keys(&mut model, ">"),
+        Some(Command::Order(Order::NextEvent))
+    ));
+    assert!(
+        matches!(type_keys(&mut model, "["), Some(Command::Order(Order::Speed(s))) if (s - 0.02).abs() < 1e-12)
+    );
+    assert!(
+        matches!(type_keys(&mut model, "]"), Some(Command::Order(Order::Speed(s))) if (s - 0.05).abs() < 1e-12)
+    );
+    assert!(restarted(type_keys(&mut model, "r")));
+    assert!(matches!(type_keys(&mut model, "q"), Some(Command::Quit)));
+}
+
+#[test]
+fn a_preset_is_chosen_from_the_list() {
+    let mut model = model("shaken");
+    type_keys(&mut model, "p");
+    assert!(matches!(model.overlay, Overlay::Presets(_)));
+    press(&mut model, KeyCode::Down);
+    assert!(restarted(press(&mut model, KeyCode::Enter)));
+    assert_eq!(model.preset.name, "fig1a");
+    type_keys(&mut model, "p");
+    press(&mut model, KeyCode::Esc);
+    assert!(matches!(model.overlay, Overlay::None));
+}

@@ -1,0 +1,225 @@
+//! The simulation thread, seen through its channels.
+
+#[path = "support/explorer.rs"]
+mod explorer;
+
+use std::time::{Duration, Instant};
+
+use beadlab::live::{self, Frame, Live, Order, Status, Sweep};
+use beadlab::scene::{MethodName, Scene};
+use explorer::{Fault, faulty, preset, real};
+
+const LONG: Duration = Duration::from_secs(20);
+
+fn twins(name: &str) -> Vec<Scene> {
+    let soft = preset(name).scene;
+    let hard = soft
+        .with_method(MethodName::Ed)
+        .expect("every scene can be hard");
+    vec![soft, hard]
+}
+
+fn sweep(span: f64, hold: bool) -> Sweep {
+    Sweep {
+        origin: 0.0,
+        span,
+        columns: 60,
+        hold,
+    }
+}
+
+fn load(live: &Live, scenes: Vec<Scene>, sweep: Sweep, speed: f64, running: bool) {
+    let order = Order::Load {
+        generation: 1,
+        scenes,
+        sweep,
+        speed,
+        running,
+    };
+    live.orders
+        .send(order)
+        .expect("the simulation thread listens");
+}
+
+/// The first frame that is as wanted.
+fn until(live: &Live, wanted: impl Fn(&Frame) -> bool) -> Frame {
+    let start = Instant::now();
+    while start.elapsed() < LONG {
+        let frame = live.frames.recv_timeout(LONG).expect("frames come");
+        if wanted(&frame) {
+            return frame;
+        }
+    }
+    panic!("no such frame in {LONG:?}");
+}
+
+#[test]
+fn no_order_is_lost() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    load(&live, twins("shaken"), sweep(0.3, false), 0.05, true);
+    for k in 0..2000 {
+        let order = if k % 2 == 0 {
+            Order::Run(false)
+        } else {
+            Order::Speed(0.05)
+        };
+        live.orders
+            .send(order)
+            .expect("the simulation thread listens");
+    }
+    let frame = until(&live, |frame| frame.orders == 2001);
+    assert!(frame.paused);
+}
+
+#[test]
+fn paused_means_silent() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    load(&live, twins("shaken"), sweep(0.3, false), 0.05, false);
+    let frame = until(&live, |frame| frame.orders == 1);
+    assert!(frame.paused && frame.time == 0.0);
+    assert!(
+        live.frames
+            .recv_timeout(Duration::from_millis(300))
+            .is_err()
+    );
+}
+
+#[test]
+fn a_step_goes_so_far_and_no_further() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    load(&live, twins("shaken"), sweep(0.3, false), 0.05, false);
+    live.orders
+        .send(Order::Step(0.0123))
+        .expect("the simulation thread listens");
+    let frame = until(&live, |frame| {
+        frame.time > 0.0 && frame.paused && frame.time >= 0.0123
+    });
+    assert_eq!(frame.time.to_bits(), 0.0123f64.to_bits());
+    // The soft column stops at its last step before, the hard one there.
+    let times: Vec<f64> = frame.sides.iter().map(|side| side.seen.time).collect();
+    assert!(times[0] <= 0.0123 && times[0] > 0.0123 - 1e-6);
+    assert_eq!(times[1].to_bits(), 0.0123f64.to_bits());
+    assert!(
+        live.frames
+            .recv_timeout(Duration::from_millis(200))
+            .is_err()
+    );
+}
+
+#[test]
+fn events_are_met_one_after_the_other() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    load(&live, twins("fig1b"), sweep(3e-4, true), 1e-5, false);
+    let mut events = Vec::new();
+    for k in 0..5 {
+        live.orders
+            .send(Order::NextEvent)
+            .expect("the simulation thread listens");
+        let frame = until(&live, |frame| {
+            frame.orders == 2 + k && frame.sides[1].seen.events > k
+        });
+        events.push(frame.time);
+    }
+    assert!(
+        events.windows(2).all(|pair| pair[0] <= pair[1]),
+        "{events:?}"
+    );
+}
+
+#[test]
+fn a_screen_that_looks_away_misses_nothing_that_it_could_show() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    load(&live, twins("shaken"), sweep(0.3, false), 0.2, true);
+    until(&live, |frame| frame.time > 0.0);
+    std::thread::sleep(Duration::from_millis(700));
+    let frame = live.frames.recv().expect("a frame waits");
+    let times: Vec<f64> = frame.history.iter().map(|sample| sample.time).collect();
+    assert!(
+        times.len() > 10 && times.len() <= 60,
+        "{} samples",
+        times.len()
+    );
+    let interval = 0.3 / 60.0;
+    for pair in times.windows(2) {
+        assert!((pair[1] - pair[0] - interval).abs() < 1e-9, "{times:?}");
+    }
+    assert!(frame.time - times[times.len() - 1] <= interval * 1.001);
+}
+
+#[test]
+fn a_full_page_is_held() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    load(&live, twins("fig1a"), sweep(2e-4, true), 1e-3, true);
+    let frame = until(&live, |frame| frame.held);
+    assert!(frame.paused && frame.time < 2e-4);
+    assert!(frame.sides.iter().all(|side| side.status == Status::Over));
+    live.orders
+        .send(Order::Run(true))
+        .expect("the simulation thread listens");
+    until(&live, |frame| frame.time > 2e-4);
+}
+
+#[test]
+fn edits_go_on_and_change_what_moves() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    let scenes = twins("shaken");
+    load(&live, scenes.clone(), sweep(0.3, false), 0.1, true);
+    let before = until(&live, |frame| frame.time > 0.02);
+    let row = beadlab::scene::parameters::find("restitution").expect("there is one");
+    let value = beadlab::scene::parameters::Value::Number(0.9);
+    let edited = scenes
+        .iter()
+        .map(|scene| beadlab::scene::parameters::edit(scene, row, value).expect("0.9 is allowed"))
+        .collect();
+    live.orders
+        .send(Order::Edit {
+            scenes: edited,
+            from: vec![0, 1],
+        })
+        .expect("the simulation thread listens");
+    let after = until(&live, |frame| frame.orders == 2);
+    assert!(after.time >= before.time && after.time < before.time + 0.1);
+    // The other way round: the hard column takes the soft one's place, and says so.
+    let swapped = vec![scenes[1].clone()];
+    live.orders
+        .send(Order::Edit {
+            scenes: swapped,
+            from: vec![0],
+        })
+        .expect("the simulation thread listens");
+    let single = until(&live, |frame| frame.orders == 3);
+    assert_eq!(single.sides.len(), 1);
+}
+
+#[test]
+fn one_engine_may_fail_and_the_other_goes_on() {
+    for fault in [Fault::Panics, Fault::Errs] {
+        let live = live::spawn(faulty(fault, 0.01)).expect("threads are to be had");
+        load(&live, twins("shaken"), sweep(0.3, false), 0.1, true);
+        let frame = until(&live, |frame| !frame.notes.is_empty());
+        assert!(
+            frame.notes[0].starts_with("MD stopped: "),
+            "{:?}",
+            frame.notes
+        );
+        let later = until(&live, |frame| frame.time > 0.03);
+        assert!(matches!(&later.sides[0].status, Status::Failed(_)));
+        assert_eq!(later.sides[1].status, Status::Running);
+        assert!(
+            later
+                .history
+                .iter()
+                .all(|sample| sample.time < 0.009 || sample.rows[0].is_none())
+        );
+    }
+}
+
+#[test]
+fn speed_is_kept_and_measured() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    let hard = vec![twins("shaken").remove(1)];
+    load(&live, hard, sweep(0.3, false), 0.2, true);
+    let frame = until(&live, |frame| frame.achieved.is_some());
+    let achieved = frame.achieved.expect("it was asked for");
+    assert!((achieved / 0.2 - 1.0).abs() < 0.15, "{achieved}");
+}

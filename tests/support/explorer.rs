@@ -1,0 +1,194 @@
+//! What tests of the explorer share: the real loop on a screen in memory, keys
+//! typed by a script, and engines that misbehave on purpose.
+#![allow(dead_code, reason = "each test file uses a part")]
+
+use std::io;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use beadlab::live::{self, Build};
+use beadlab::physics::{self, Engine, EngineError, Handover, Observation, Outcome, State};
+use beadlab::scene::{Preset, Scene};
+use beadlab::tui::event_loop::{Ending, EventLoop, Stage, Wires};
+use beadlab::tui::link::Link;
+use beadlab::tui::model::Model;
+use beadlab::tui::theme::Theme;
+use crossbeam_channel::{Sender, bounded, unbounded};
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+
+pub const COLOURS: Theme = Theme {
+    ascii: false,
+    colour: true,
+};
+pub const ASCII: Theme = Theme {
+    ascii: true,
+    colour: false,
+};
+
+/// A terminal that needs no manners.
+pub struct NoStage;
+
+impl Stage for NoStage {
+    fn stop_job(&mut self) {}
+    fn stop(&mut self) {}
+    fn resume(&mut self) {}
+}
+
+/// What a script does.
+pub enum Act {
+    Key(KeyCode),
+    Wait(u64),
+    Resize(u16, u16),
+}
+
+pub fn type_text(text: &str) -> Vec<Act> {
+    text.chars().map(|c| Act::Key(KeyCode::Char(c))).collect()
+}
+
+pub fn preset(name: &str) -> Preset {
+    Preset::load(name).expect("the preset is embedded")
+}
+
+pub fn real() -> Build {
+    Box::new(physics::build)
+}
+
+/// Runs the real loop on a screen of that size, types the script and quits; what
+/// the screen shows at the end, row by row.
+pub fn play(
+    name: &str,
+    theme: Theme,
+    size: (u16, u16),
+    build: Build,
+    script: Vec<Act>,
+) -> Vec<String> {
+    let (mut model, start) =
+        Model::new(preset(name), None, theme, size).expect("the preset has its twin");
+    let live = live::spawn(build).expect("threads are to be had");
+    live.orders
+        .send(start)
+        .expect("the simulation thread listens");
+    let (keys, input) = unbounded();
+    let (_keep, signals) = bounded(1);
+    let mut terminal =
+        Terminal::new(TestBackend::new(size.0, size.1)).expect("memory is to be had");
+    let (mut link, _) = Link::new(io::sink(), Instant::now());
+    let wires = Wires {
+        input,
+        signals,
+        live,
+    };
+    let typist = thread::spawn(move || run_script(&keys, script));
+    let ended = EventLoop {
+        terminal: &mut terminal,
+        model: &mut model,
+        wires: &wires,
+        link: &mut link,
+        stage: &mut NoStage,
+    }
+    .run()
+    .expect("a screen in memory can be drawn to");
+    typist.join().expect("the typist does not panic");
+    assert_eq!(ended, Ending::Quit);
+    rows(terminal.backend(), size)
+}
+
+fn run_script(keys: &Sender<Event>, script: Vec<Act>) {
+    let press = |code| {
+        keys.send(Event::Key(KeyEvent::new(code, KeyModifiers::NONE)))
+            .expect("the loop listens")
+    };
+    for act in script {
+        match act {
+            Act::Key(code) => press(code),
+            Act::Wait(milliseconds) => thread::sleep(Duration::from_millis(milliseconds)),
+            Act::Resize(width, height) => keys
+                .send(Event::Resize(width, height))
+                .expect("the loop listens"),
+        }
+    }
+    // Ctrl-C leaves from everywhere, after one more frame.
+    thread::sleep(Duration::from_millis(90));
+    let quit = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
+    keys.send(Event::Key(quit)).expect("the loop listens");
+}
+
+fn rows(backend: &TestBackend, (width, _): (u16, u16)) -> Vec<String> {
+    let symbols: Vec<&str> = backend
+        .buffer()
+        .content
+        .iter()
+        .map(|cell| cell.symbol())
+        .collect();
+    symbols
+        .chunks(usize::from(width))
+        .map(<[&str]>::concat)
+        .collect()
+}
+
+/// How an engine misbehaves, at a simulated time.
+#[derive(Debug, Clone, Copy)]
+pub enum Fault {
+    Panics,
+    Errs,
+}
+
+/// A real engine that misbehaves from `at` on.
+pub struct Faulty {
+    engine: Box<dyn Engine>,
+    fault: Fault,
+    at: f64,
+}
+
+impl Engine for Faulty {
+    fn time(&self) -> f64 {
+        self.engine.time()
+    }
+
+    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+        if until >= self.at {
+            match self.fault {
+                Fault::Panics => panic!("a bead escaped"),
+                Fault::Errs => {
+                    return Err(EngineError::Unstable {
+                        time: until,
+                        steps_per_contact: 2.0,
+                    });
+                }
+            }
+        }
+        self.engine.advance(until, budget)
+    }
+
+    fn is_over(&self) -> bool {
+        self.engine.is_over()
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        self.engine.next_event()
+    }
+
+    fn observe(&self, into: &mut Observation) {
+        self.engine.observe(into);
+    }
+
+    fn state(&self) -> State {
+        self.engine.state()
+    }
+}
+
+/// Builds real engines, but soft-contact ones misbehave from `at` on.
+pub fn faulty(fault: Fault, at: f64) -> Build {
+    Box::new(
+        move |scene: &Scene, from: Option<&State>| -> (Box<dyn Engine>, Handover) {
+            let (engine, handover) = physics::build(scene, from);
+            if scene.is_md() {
+                (Box::new(Faulty { engine, fault, at }), handover)
+            } else {
+                (engine, handover)
+            }
+        },
+    )
+}
