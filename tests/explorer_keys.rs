@@ -1,5 +1,7 @@
 //! What keys do to the model, and what they ask of the simulation.
 
+#![allow(clippy::needless_pass_by_value, reason = "predicates of what was just returned")]
+
 #[path = "support/explorer.rs"]
 mod explorer;
 
