@@ -421,23 +421,35 @@ fn an_unfinished_floor_collision_has_no_eps_eff() {
     );
 }
 
+/// A run of `preset` with too few Verlet steps in a contact time.
+fn coarse(preset: &str, steps: &str) -> Output {
+    let steps = format!("steps_per_contact={steps}");
+    beadlab(&["run", preset, "--method", "verlet", "--set", &steps])
+}
+
 #[test]
-fn a_run_that_lost_its_energy_ledger_is_remarked_upon() {
-    let wild = [
-        "run",
-        "fig1a",
-        "--method",
-        "verlet",
-        "--set",
-        "steps_per_contact=2",
-    ];
-    let output = beadlab(&wild);
+fn a_run_with_a_poor_energy_ledger_is_remarked_upon() {
+    let output = coarse("fig1b", "3");
     assert_eq!(output.status.code(), Some(0));
     let note = String::from_utf8(output.stderr).expect("UTF-8");
     assert!(
         note.contains("energy ledger is off by") && note.lines().count() == 1,
         "{note}"
     );
+}
+
+#[test]
+fn a_run_that_becomes_unstable_fails_and_says_when() {
+    for preset in ["fig1a", "fig1b", "fig1c"] {
+        let output = coarse(preset, "2");
+        assert_eq!(output.status.code(), Some(1), "{preset}");
+        assert!(output.stdout.is_empty(), "{preset}");
+        let error = String::from_utf8(output.stderr).expect("UTF-8");
+        assert!(
+            error.contains("became unstable at t = ") && error.lines().count() == 1,
+            "{error}"
+        );
+    }
 }
 
 #[test]

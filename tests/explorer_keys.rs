@@ -1,6 +1,9 @@
 //! What keys do to the model, and what they ask of the simulation.
 
-#![allow(clippy::needless_pass_by_value, reason = "predicates of what was just returned")]
+#![allow(
+    clippy::needless_pass_by_value,
+    reason = "predicates of what was just returned"
+)]
 
 #[path = "support/explorer.rs"]
 mod explorer;

@@ -8,7 +8,27 @@ pub(crate) struct Bounce {
     arriving: Option<f64>,
     leaving: Option<(f64, f64)>,
     last: Option<f64>,
-    crossing: Option<f64>,
+    landings: Landings,
+}
+
+/// Landings that are remembered: a shaken column is dense in one of a few.
+const REMEMBERED: usize = 6;
+
+/// The last landings, newest last: mean separation over speed, s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Landings([f64; REMEMBERED]);
+
+impl Default for Landings {
+    fn default() -> Self {
+        Self([f64::INFINITY; REMEMBERED])
+    }
+}
+
+impl Landings {
+    fn add(&mut self, crossing: f64) {
+        self.0.rotate_left(1);
+        self.0[REMEMBERED - 1] = crossing;
+    }
 }
 
 /// The column as it arrives at its floor, in the floor's frame.
@@ -25,22 +45,29 @@ pub(crate) struct Arrival {
 impl Bounce {
     /// The floor contact begins.
     pub fn begin(&mut self, arrival: Arrival) {
+        // A bead that comes back while the column rises is part of the same bounce.
+        if arrival.translation >= 0.0 || self.arriving.is_some() {
+            return;
+        }
         if let Some((arrived, left)) = self.leaving.take() {
             self.last = Some(((left + arrival.relative) / arrived).sqrt());
         }
-        if arrival.translation < 0.0 && self.arriving.is_none() {
-            self.arriving = Some(arrival.relative - arrival.translation);
-            self.crossing = arrival.crossing;
+        self.arriving = Some(arrival.relative - arrival.translation);
+        if let Some(crossing) = arrival.crossing {
+            self.landings.add(crossing);
         }
     }
 
     /// The floor contact ends; `translation` as in [`Arrival`].
     pub fn end(&mut self, translation: f64) {
-        if translation > 0.0
-            && let Some(arrived) = self.arriving.take()
-        {
-            self.leaving = Some((arrived, translation));
+        if translation <= 0.0 {
+            return;
         }
+        let arrived = self
+            .arriving
+            .take()
+            .or(self.leaving.map(|(arrived, _)| arrived));
+        self.leaving = arrived.map(|arrived| (arrived, translation));
     }
 
     /// The column has come to rest on the floor.
@@ -52,7 +79,14 @@ impl Bounce {
 
     /// Mean separation over speed when the column last arrived, s.
     pub fn crossing(&self) -> Option<f64> {
-        self.crossing
+        let last = self.landings.0[REMEMBERED - 1];
+        last.is_finite().then_some(last)
+    }
+
+    /// The smallest of the last few.
+    pub fn densest(&self) -> Option<f64> {
+        let least = self.landings.0.into_iter().fold(f64::INFINITY, f64::min);
+        least.is_finite().then_some(least)
     }
 
     /// √(E_f/E_0) of the last bounce, E_r being `relative` now.
@@ -61,5 +95,36 @@ impl Bounce {
             Some((arrived, left)) => Some(((left + relative) / arrived).sqrt()),
             None => self.last,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn arrival(translation: f64, crossing: f64) -> Arrival {
+        Arrival {
+            translation,
+            relative: 0.0,
+            crossing: Some(crossing),
+        }
+    }
+
+    #[test]
+    fn a_bead_that_comes_back_belongs_to_the_same_bounce() {
+        let mut bounce = Bounce::default();
+        bounce.begin(arrival(-1.0, 0.5));
+        bounce.end(0.5);
+        bounce.begin(arrival(0.5, 0.1));
+        bounce.end(0.25);
+        assert_eq!(bounce.restitution(0.0), Some(0.5));
+        assert_eq!(bounce.crossing(), Some(0.5));
+        bounce.begin(arrival(-2.0, 3.0));
+        bounce.rest();
+        assert_eq!(bounce.restitution(0.0), Some(0.0));
+        assert_eq!(
+            (bounce.crossing(), bounce.densest()),
+            (Some(3.0), Some(0.5))
+        );
     }
 }

@@ -63,9 +63,10 @@ impl Ledger {
     }
 
     /// Whether the error exceeds all the energy that there ever was: such a run has
-    /// left physics behind.
+    /// left physics behind. So has one whose energy is not a number.
     pub fn is_broken(&self, energy: &Energy) -> bool {
-        self.error(energy).abs() > self.scale + energy.plate_work.abs()
+        let within = self.error(energy).abs() <= self.scale + energy.plate_work.abs();
+        !within
     }
 
     /// The error so far, m²/s², of the energies now.

@@ -107,6 +107,7 @@ impl Moment<'_> {
         into.free_flight = books.contacts.free_flight(self.time);
         into.bounce = books.bounce.restitution(into.energy.relative);
         into.crossing = books.bounce.crossing();
+        into.densest = books.bounce.densest();
         (into.floor_touched, into.floor_left) = books.contacts.floor();
         into.steps = books.steps;
         into.events = books.events;

@@ -98,7 +98,7 @@ pub fn play(
 fn run_script(keys: &Sender<Event>, script: Vec<Act>) {
     let press = |code| {
         keys.send(Event::Key(KeyEvent::new(code, KeyModifiers::NONE)))
-            .expect("the loop listens")
+            .expect("the loop listens");
     };
     for act in script {
         match act {
@@ -120,7 +120,7 @@ fn rows(backend: &TestBackend, (width, _): (u16, u16)) -> Vec<String> {
         .buffer()
         .content
         .iter()
-        .map(|cell| cell.symbol())
+        .map(ratatui::buffer::Cell::symbol)
         .collect();
     symbols
         .chunks(usize::from(width))

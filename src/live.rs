@@ -1,0 +1,130 @@
+//! The simulation thread and its channels.
+//!
+//! One thread owns the engines: a column and, where there is one, its twin, on one
+//! clock. [`Order`]s reach it over a bounded channel and are never dropped; while
+//! it is paused it blocks on that channel. [`Frame`]s leave through a slot that
+//! holds the newest one only, so neither side ever waits for the other; the trace
+//! samples of a frame that nobody fetched travel in the next one. An engine that
+//! fails or panics becomes a [`Status::Failed`], and its twin goes on.
+
+mod clock;
+mod history;
+mod runner;
+mod slot;
+mod sweep;
+mod worker;
+
+pub use history::{History, Row, Sample};
+pub use runner::Build;
+pub use sweep::Sweep;
+
+use std::thread;
+
+use crossbeam_channel::{Receiver, Sender, bounded};
+
+use crate::physics::Observation;
+use crate::scene::Scene;
+
+/// Orders waiting for the simulation thread; when so many wait, the sender waits.
+const ORDERS: usize = 64;
+
+/// What the screen asks of the simulation thread.
+#[derive(Debug, Clone)]
+pub enum Order {
+    /// Start these columns from t = 0.
+    Load {
+        /// Number of this start; frames carry it.
+        generation: u64,
+        /// One column, or two on one clock.
+        scenes: Vec<Scene>,
+        /// When to sample the traces.
+        sweep: Sweep,
+        /// Simulated seconds in a second.
+        speed: f64,
+        /// Whether to run at once.
+        running: bool,
+    },
+    /// Go on with other scenes from the state in force.
+    Edit {
+        /// One column, or two on one clock.
+        scenes: Vec<Scene>,
+        /// For each of them, which of the present columns it goes on from.
+        from: Vec<usize>,
+    },
+    /// Run (true) or pause.
+    Run(bool),
+    /// Simulated seconds in a second.
+    Speed(f64),
+    /// Sample the traces at other times.
+    Sweep(Sweep),
+    /// Pause, and move on by this many simulated seconds.
+    Step(f64),
+    /// Pause, and move on to the next event of a column that knows its events.
+    NextEvent,
+}
+
+/// How a column fares.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Status {
+    /// It moves.
+    Running,
+    /// It moves, and its floor collision is over.
+    Over,
+    /// Its engine stopped, and why.
+    Failed(String),
+}
+
+/// One column as seen at the moment of a frame.
+#[derive(Debug, Clone)]
+pub struct Side {
+    /// What can be seen of it.
+    pub seen: Observation,
+    /// How it fares.
+    pub status: Status,
+}
+
+/// What the simulation thread shows of itself.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// The start that this frame belongs to.
+    pub generation: u64,
+    /// Simulated time, s.
+    pub time: f64,
+    /// The columns, in the order of their scenes.
+    pub sides: Vec<Side>,
+    /// Trace samples since the last frame that was fetched.
+    pub history: History,
+    /// Sentences for the screen since the last frame that was fetched.
+    pub notes: Vec<String>,
+    /// Whether simulated time stands still.
+    pub paused: bool,
+    /// Whether it stands still by itself, its page being full.
+    pub held: bool,
+    /// Orders carried out so far.
+    pub orders: u64,
+    /// Simulated seconds in a second that were reached lately.
+    pub achieved: Option<f64>,
+}
+
+/// The ends of the channels that the screen holds. Dropping `orders` ends the thread.
+#[derive(Debug)]
+pub struct Live {
+    /// Orders to the simulation thread.
+    pub orders: Sender<Order>,
+    /// Its newest frame.
+    pub frames: Receiver<Frame>,
+}
+
+/// Starts the simulation thread. It builds its engines by `build` and waits for
+/// its first [`Order::Load`].
+///
+/// # Errors
+/// When the system refuses the thread.
+pub fn spawn(build: Build) -> std::io::Result<Live> {
+    let (orders, inbox) = bounded(ORDERS);
+    let (outlet, frames) = slot::slot();
+    thread::Builder::new()
+        .name("simulation".into())
+        .spawn(move || worker::Worker::new(build, outlet).run(&inbox))?;
+    Ok(Live { orders, frames })
+}

@@ -1,0 +1,191 @@
+//! The loop of the screen thread. It knows no terminal but a backend, so that
+//! tests run it as it is.
+
+use std::time::Instant;
+
+use crossbeam_channel::{Receiver, after, never, select};
+use crossterm::event::{Event, KeyEventKind};
+use ratatui::Terminal;
+use ratatui::backend::Backend;
+use ratatui::layout::Rect;
+
+use super::link::Link;
+use super::model::Model;
+use super::signals::{HANGUP, Signal};
+use super::update::{Command, Msg, update};
+use super::view::view;
+use crate::live::{Frame, Live, Order};
+
+/// Everything that the loop hears and speaks to.
+pub struct Wires {
+    /// Keys and sizes of the terminal.
+    pub input: Receiver<Event>,
+    /// What the system asks.
+    pub signals: Receiver<Signal>,
+    /// The simulation thread.
+    pub live: Live,
+}
+
+/// What the loop asks of the real terminal; a test's does nothing.
+pub trait Stage {
+    /// Stop the whole job, as Ctrl-Z does.
+    fn stop_job(&mut self);
+    /// Give the terminal back and stop this process.
+    fn stop(&mut self);
+    /// Take the terminal again.
+    fn resume(&mut self);
+}
+
+/// How the loop ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// Somebody wanted to leave.
+    Quit,
+    /// A signal of that number, or its like.
+    Signal(i32),
+}
+
+/// What woke the loop.
+enum Wake {
+    Input(Event),
+    InputClosed,
+    Signal(Signal),
+    Frame(Box<Frame>),
+    FramesClosed,
+    Timer,
+}
+
+/// The loop's own state.
+pub struct EventLoop<'a, B: Backend> {
+    /// Where it draws.
+    pub terminal: &'a mut Terminal<B>,
+    /// What it draws.
+    pub model: &'a mut Model,
+    /// What it hears and speaks to.
+    pub wires: &'a Wires,
+    /// When it may draw.
+    pub link: &'a mut Link,
+    /// The real terminal's manners.
+    pub stage: &'a mut dyn Stage,
+}
+
+impl<B: Backend> EventLoop<'_, B> {
+    /// Draws what happens until somebody wants to leave. Without anything to draw
+    /// or to hear it sleeps.
+    ///
+    /// # Errors
+    /// When the terminal cannot be drawn to.
+    pub fn run(&mut self) -> Result<Ending, B::Error> {
+        let mut changed = true;
+        let mut frames_open = true;
+        loop {
+            if changed && Instant::now() >= self.link.next() {
+                self.draw()?;
+                changed = false;
+            }
+            let wake = self.wait(frames_open);
+            changed |= !matches!(wake, Wake::Timer);
+            let command = match wake {
+                Wake::Timer => None,
+                Wake::Input(event) => self.on_input(event),
+                Wake::InputClosed => return Ok(Ending::Signal(HANGUP)),
+                Wake::Signal(Signal::End(number)) => return Ok(Ending::Signal(number)),
+                Wake::Signal(Signal::Stop) => {
+                    self.stage.stop();
+                    None
+                }
+                Wake::Signal(Signal::Continue) => {
+                    self.stage.resume();
+                    self.forget_screen()?;
+                    None
+                }
+                Wake::Frame(frame) => update(self.model, Msg::Frame(frame), Instant::now()),
+                Wake::FramesClosed => {
+                    frames_open = false;
+                    update(self.model, Msg::SimulationEnded, Instant::now())
+                }
+            };
+            if self.carry_out(command)? {
+                return Ok(Ending::Quit);
+            }
+        }
+    }
+
+    /// Waits for something to happen. Frames are fetched only when they can be drawn:
+    /// until then they give way to newer ones.
+    fn wait(&self, frames_open: bool) -> Wake {
+        let pause = self.link.next().saturating_duration_since(Instant::now());
+        let (timer, no_frames) = (
+            if pause.is_zero() {
+                never()
+            } else {
+                after(pause)
+            },
+            never(),
+        );
+        let frames = if pause.is_zero() && frames_open {
+            &self.wires.live.frames
+        } else {
+            &no_frames
+        };
+        select! {
+            recv(self.wires.input) -> event => event.map_or(Wake::InputClosed, Wake::Input),
+            recv(self.wires.signals) -> signal => signal.map_or(Wake::Timer, Wake::Signal),
+            recv(frames) -> frame => frame.map_or(Wake::FramesClosed, |frame| Wake::Frame(Box::new(frame))),
+            recv(timer) -> _ => Wake::Timer,
+        }
+    }
+
+    fn on_input(&mut self, event: Event) -> Option<Command> {
+        let msg = match event {
+            Event::Key(key) if key.kind != KeyEventKind::Release => Msg::Key(key),
+            Event::Paste(text) => Msg::Paste(text),
+            Event::Resize(width, height) => Msg::Resize(width, height),
+            _ => return None,
+        };
+        self.link.hurry();
+        update(self.model, msg, Instant::now())
+    }
+
+    /// Does what is asked; whether that is to leave.
+    fn carry_out(&mut self, command: Option<Command>) -> Result<bool, B::Error> {
+        match command {
+            None => {}
+            Some(Command::Quit) => return Ok(true),
+            Some(Command::Suspend) => self.stage.stop_job(),
+            Some(Command::Redraw) => {
+                self.link.forget();
+                self.forget_screen()?;
+            }
+            Some(Command::Order(order)) => self.send(order),
+        }
+        Ok(false)
+    }
+
+    /// Orders are never dropped: this waits while the simulation thread has too many.
+    fn send(&mut self, order: Order) {
+        if self.wires.live.orders.send(order).is_err() {
+            update(self.model, Msg::SimulationEnded, Instant::now());
+        }
+    }
+
+    fn draw(&mut self) -> Result<(), B::Error> {
+        let start = Instant::now();
+        let model = &*self.model;
+        self.terminal.draw(|frame| view(model, frame))?;
+        self.link.drawn(start, Instant::now());
+        Ok(())
+    }
+
+    /// Nothing on the screen can be relied on: the next frame is drawn on an empty one.
+    fn forget_screen(&mut self) -> Result<(), B::Error> {
+        let size = self.terminal.size()?;
+        self.model.size = (size.width, size.height);
+        self.terminal.resize(Rect {
+            x: 0,
+            y: 0,
+            width: size.width,
+            height: size.height,
+        })
+    }
+}

@@ -1,0 +1,288 @@
+//! Keys: one table, read by the loop, by the line at the bottom and by the help.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+/// What a key asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Action {
+    /// Pause, or go on.
+    Pause,
+    /// Pause, and move on by one frame.
+    StepFrame,
+    /// Pause, and move on to the next event.
+    StepEvent,
+    /// Start again from t = 0.
+    Restart,
+    /// One speed of the ladder slower or faster.
+    Speed(i32),
+    /// The next method for the left column.
+    Method,
+    /// The twin on or off.
+    Twin,
+    /// The list of presets.
+    Presets,
+    /// The help.
+    Help,
+    /// A parameter by name, or the selected one, up or down by key presses.
+    Nudge {
+        /// The parameter; the selected one if none is named.
+        name: Option<&'static str>,
+        /// How many key presses.
+        steps: i32,
+        /// Whether they are coarse ones.
+        coarse: bool,
+    },
+    /// Select a row of the panel further down, or up if negative.
+    Select(i32),
+    /// Type a value for the selected parameter.
+    Exact,
+    /// Type `name=value`.
+    Prompt,
+    /// Take the last edit back.
+    Undo,
+    /// Back to the preset.
+    Reset,
+    /// Draw the whole screen again.
+    Redraw,
+    /// Stop the program for a while, as the shell's job.
+    Suspend,
+    /// Leave.
+    Quit,
+}
+
+/// A row of the table.
+#[derive(Debug)]
+pub struct Binding {
+    codes: &'static [KeyCode],
+    ctrl: bool,
+    action: Action,
+    /// The keys in words, and what they do, for the help; none for a row that is
+    /// told together with the one before.
+    pub help: Option<(&'static str, &'static str)>,
+    /// The same for the line at the bottom.
+    pub hint: Option<Hint>,
+}
+
+/// Keys on the line at the bottom.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Hint {
+    /// The keys.
+    pub keys: &'static str,
+    /// What they do, in a word.
+    pub what: &'static str,
+    /// Narrow lines leave out the hints of the highest rank.
+    pub rank: u8,
+}
+
+const fn key(codes: &'static [KeyCode], action: Action) -> Binding {
+    Binding {
+        codes,
+        ctrl: false,
+        action,
+        help: None,
+        hint: None,
+    }
+}
+
+const fn ctrl(codes: &'static [KeyCode], action: Action) -> Binding {
+    Binding {
+        codes,
+        ctrl: true,
+        action,
+        help: None,
+        hint: None,
+    }
+}
+
+const fn nudge(codes: &'static [KeyCode], name: &'static str, steps: i32) -> Binding {
+    key(
+        codes,
+        Action::Nudge {
+            name: Some(name),
+            steps,
+            coarse: false,
+        },
+    )
+}
+
+const fn turn(codes: &'static [KeyCode], steps: i32, coarse: bool) -> Binding {
+    key(
+        codes,
+        Action::Nudge {
+            name: None,
+            steps,
+            coarse,
+        },
+    )
+}
+
+impl Binding {
+    const fn help(mut self, keys: &'static str, what: &'static str) -> Self {
+        self.help = Some((keys, what));
+        self
+    }
+
+    const fn hint(mut self, keys: &'static str, what: &'static str, rank: u8) -> Self {
+        self.hint = Some(Hint { keys, what, rank });
+        self
+    }
+}
+
+use KeyCode::{Backspace, Char, Down, Enter, Left, PageDown, PageUp, Right, Up};
+
+/// All keys, in the order of the help.
+pub const BINDINGS: &[Binding] = &[
+    key(&[Char(' ')], Action::Pause)
+        .help("space", "pause, go on")
+        .hint("space", "pause", 1),
+    key(&[Char('.')], Action::StepFrame)
+        .help(".", "pause, and one frame further")
+        .hint(".", "step", 7),
+    key(&[Char('>')], Action::StepEvent).help(">", "pause, and on to the next event of ED"),
+    key(&[Char('[')], Action::Speed(-1))
+        .help("[ ]", "slower, faster")
+        .hint("[ ]", "speed", 2),
+    key(&[Char(']')], Action::Speed(1)),
+    key(&[Char('r')], Action::Restart)
+        .help("r", "start again from t = 0")
+        .hint("r", "restart", 5),
+    key(&[Char('m')], Action::Method)
+        .help("m", "next method: Gear, Verlet, ED")
+        .hint("m", "method", 6),
+    key(&[Char('w')], Action::Twin)
+        .help("w", "twin on, off")
+        .hint("w", "twin", 9),
+    key(&[Char('p')], Action::Presets)
+        .help("p", "presets")
+        .hint("p", "presets", 3),
+    nudge(&[Char('e')], "restitution", -1).help("e E", "ε down, up (Alt: coarse)"),
+    nudge(&[Char('E')], "restitution", 1),
+    nudge(&[Char('t')], "contact_time", -1).help("t T", "t_c down, up"),
+    nudge(&[Char('T')], "contact_time", 1),
+    nudge(&[Char('a')], "amplitude", -1).help("a A", "amplitude down, up"),
+    nudge(&[Char('A')], "amplitude", 1),
+    nudge(&[Char('f')], "frequency", -1).help("f F", "frequency down, up"),
+    nudge(&[Char('F')], "frequency", 1),
+    key(&[Up], Action::Select(-1)).help("↑ ↓", "select a parameter"),
+    key(&[Down], Action::Select(1)),
+    turn(&[Left, Char('-')], -1, false).help("← →", "selected one down, up (or - +)"),
+    turn(&[Right, Char('+'), Char('=')], 1, false),
+    turn(&[PageDown], -1, true).help("PgDn PgUp", "coarsely (or Shift ← →)"),
+    turn(&[PageUp], 1, true),
+    key(&[Enter], Action::Exact).help("Enter", "type a value for it"),
+    key(&[Char(':')], Action::Prompt)
+        .help(":", "type name=value")
+        .hint(":", "set", 4),
+    key(&[Char('u')], Action::Undo)
+        .help("u", "undo the last edit")
+        .hint("u", "undo", 8),
+    key(&[Char('0'), Backspace], Action::Reset).help("0", "back to the preset"),
+    key(&[Char('?'), Char('h')], Action::Help)
+        .help("?", "this help")
+        .hint("?", "help", 0),
+    ctrl(&[Char('l')], Action::Redraw),
+    ctrl(&[Char('z')], Action::Suspend),
+    key(&[Char('q')], Action::Quit)
+        .help("q", "quit (or Ctrl-C)")
+        .hint("q", "quit", 0),
+    ctrl(&[Char('c')], Action::Quit),
+];
+
+/// What a key asks for on the main screen. Alt and Shift make a nudge coarse.
+pub fn action(key: KeyEvent) -> Option<Action> {
+    let ctrl = key.modifiers.contains(KeyModifiers::CONTROL);
+    let coarse_arrow = !matches!(key.code, Char(_))
+        && key
+            .modifiers
+            .intersects(KeyModifiers::SHIFT | KeyModifiers::CONTROL);
+    let coarse = coarse_arrow || key.modifiers.contains(KeyModifiers::ALT);
+    let is_char = matches!(key.code, Char(_));
+    let found = BINDINGS
+        .iter()
+        .find(|b| b.codes.contains(&key.code) && (b.ctrl == ctrl || !is_char))?;
+    Some(match found.action {
+        Action::Nudge {
+            name,
+            steps,
+            coarse: always,
+        } => Action::Nudge {
+            name,
+            steps,
+            coarse: coarse || always,
+        },
+        other => other,
+    })
+}
+
+/// The keys of a parameter, for the panel: `e/E`.
+pub fn keys_of(parameter: &str) -> &'static str {
+    match parameter {
+        "restitution" => "e/E",
+        "contact_time" => "t/T",
+        "amplitude" => "a/A",
+        "frequency" => "f/F",
+        _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_has_two_meanings() {
+        for (k, binding) in BINDINGS.iter().enumerate() {
+            for other in &BINDINGS[k + 1..] {
+                let shared = binding.codes.iter().any(|code| other.codes.contains(code));
+                assert!(
+                    !shared || binding.ctrl != other.ctrl,
+                    "{binding:?} and {other:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn letters_nudge_finely_and_with_alt_coarsely() {
+        let fine = action(KeyEvent::new(Char('E'), KeyModifiers::SHIFT));
+        assert_eq!(
+            fine,
+            Some(Action::Nudge {
+                name: Some("restitution"),
+                steps: 1,
+                coarse: false
+            })
+        );
+        let coarse = action(KeyEvent::new(Char('e'), KeyModifiers::ALT));
+        assert_eq!(
+            coarse,
+            Some(Action::Nudge {
+                name: Some("restitution"),
+                steps: -1,
+                coarse: true
+            })
+        );
+        let arrow = action(KeyEvent::new(Left, KeyModifiers::SHIFT));
+        assert_eq!(
+            arrow,
+            Some(Action::Nudge {
+                name: None,
+                steps: -1,
+                coarse: true
+            })
+        );
+    }
+
+    #[test]
+    fn control_letters_are_not_letters() {
+        assert_eq!(
+            action(KeyEvent::new(Char('c'), KeyModifiers::CONTROL)),
+            Some(Action::Quit)
+        );
+        assert_eq!(
+            action(KeyEvent::new(Char('e'), KeyModifiers::CONTROL)),
+            None
+        );
+        assert!(action(KeyEvent::new(Char('e'), KeyModifiers::NONE)).is_some());
+    }
+}

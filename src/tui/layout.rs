@@ -1,0 +1,320 @@
+//! Where everything stands.
+//!
+//! ```text
+//!  header: preset, facts                                    time, speed
+//!  ── title of the left column ─────────┬── title of the right column ──
+//!  axis  trace                  column  │ trace                   column
+//!  axis  trace                  column  │ trace                   column
+//!        time                   scale   │ time                    scale
+//!  ── E ───────┬─ E_r/E ──────┬─ σ ─────┴────┬─ parameters ────────────
+//!  history     │ history      │ regime       │ name   value        keys
+//!  numbers     │ numbers      │ ε_eff        │ name   value        keys
+//!  ── shaken: on tall screens, what is to be seen ──────────────────────
+//!  caption, what to look for, what to try next
+//!  message
+//!  keys
+//! ```
+//!
+//! Small screens lose the panels first, then everything but the traces, then these.
+
+use ratatui::layout::Rect;
+
+/// Columns of the vertical axis.
+const AXIS: u16 = 6;
+/// The narrowest trace worth drawing.
+const NARROWEST: u16 = 10;
+/// Columns of the σ panel and of the parameters at 80 columns.
+const SIGMA: u16 = 21;
+const PARAMETERS: u16 = 32;
+
+/// Where one column of beads is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Pane {
+    /// Its title, in the rule above.
+    pub title: Rect,
+    /// Its trace.
+    pub trace: Rect,
+    /// The beads where they are now; empty where there is no room.
+    pub column: Rect,
+    /// The time axis below the trace; empty where there is no room.
+    pub time: Rect,
+}
+
+/// The panels below the traces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Panels {
+    /// History of E; empty on narrow screens.
+    pub energy: Rect,
+    /// History of E_r/E.
+    pub relative: Rect,
+    /// σ, its regime, ε_eff.
+    pub sigma: Rect,
+    /// The parameters.
+    pub parameters: Rect,
+}
+
+/// Where everything stands. What has no room is an empty rectangle.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Layout {
+    /// Preset, facts, time and speed.
+    pub header: Rect,
+    /// The rule over the traces.
+    pub upper_rule: Rect,
+    /// The vertical axis, common to all traces.
+    pub axis: Rect,
+    /// One or two columns of beads.
+    pub panes: Vec<Pane>,
+    /// The rule over the panels.
+    pub lower_rule: Rect,
+    /// The panels.
+    pub panels: Panels,
+    /// The preset's texts.
+    pub text: Rect,
+    /// The line of the moment.
+    pub message: Rect,
+    /// The keys.
+    pub keys: Rect,
+}
+
+/// Cuts rows off an area, from above and from below.
+struct Rows(Rect);
+
+impl Rows {
+    fn top(&mut self, height: u16) -> Rect {
+        let height = height.min(self.0.height);
+        let cut = Rect { height, ..self.0 };
+        self.0 = Rect {
+            y: self.0.y + height,
+            height: self.0.height - height,
+            ..self.0
+        };
+        cut
+    }
+
+    fn bottom(&mut self, height: u16) -> Rect {
+        let height = height.min(self.0.height);
+        self.0.height -= height;
+        Rect {
+            y: self.0.y + self.0.height,
+            height,
+            ..self.0
+        }
+    }
+}
+
+/// The layout of a screen of that size with so many columns of beads.
+pub fn layout((width, height): (u16, u16), sides: usize) -> Layout {
+    let mut rows = Rows(Rect {
+        x: 0,
+        y: 0,
+        width,
+        height,
+    });
+    let mut layout = Layout {
+        header: rows.top(1),
+        ..Layout::default()
+    };
+    if height >= 4 {
+        layout.keys = rows.bottom(1);
+    }
+    if height >= 8 {
+        layout.message = rows.bottom(1);
+    }
+    let text = text_height(width);
+    if width >= 60 && height >= 29 + text {
+        layout.text = rows.bottom(text);
+    }
+    if height >= 18 && width >= 60 {
+        let panels = rows.bottom(panel_height(height));
+        layout.lower_rule = rows.bottom(1);
+        layout.panels = panel_columns(panels);
+    }
+    if height >= 6 {
+        layout.upper_rule = rows.top(1);
+    }
+    let time = if height >= 12 {
+        rows.bottom(1)
+    } else {
+        Rect::default()
+    };
+    place_panes(&mut layout, rows.0, time, sides);
+    layout
+}
+
+/// Width of a trace on such a screen, cells.
+pub fn trace_width(size: (u16, u16), sides: usize) -> u16 {
+    layout(size, sides)
+        .panes
+        .first()
+        .map_or(1, |pane| pane.trace.width.max(1))
+}
+
+/// More rows on taller screens, until all parameters are seen.
+fn panel_height(height: u16) -> u16 {
+    match height {
+        0..24 => height - 17,
+        _ => (7 + (height - 24) / 3).min(15),
+    }
+}
+
+/// Rows of the preset's three texts and their title, for texts of the usual length.
+fn text_height(width: u16) -> u16 {
+    1 + 3 * 190u16.div_ceil(width.saturating_sub(2).max(1))
+}
+
+fn panel_columns(area: Rect) -> Panels {
+    let spare = area.width.saturating_sub(80);
+    let parameters = PARAMETERS + (spare / 6).min(12);
+    let sigma = SIGMA + (spare / 5).min(20);
+    let mut x = area.x;
+    let mut take = |width: u16| {
+        let cut = Rect { x, width, ..area };
+        x += width + 1;
+        cut
+    };
+    let left = area.width.saturating_sub(parameters + sigma + 2);
+    let (energy, relative) = match left {
+        0..5 => (Rect::default(), Rect::default()),
+        5..22 => (Rect::default(), take(left)),
+        _ => (take((left - 1) / 2), take(left - 1 - (left - 1) / 2)),
+    };
+    Panels {
+        energy,
+        relative,
+        sigma: take(sigma),
+        parameters: take(parameters),
+    }
+}
+
+/// Beads beside the traces, when there is room: wider on wider screens.
+fn column_width(pane: u16, height: u16) -> u16 {
+    match pane {
+        _ if height < 6 => 0,
+        0..24 => 0,
+        24..44 => 5,
+        44..70 => 9,
+        _ => 13,
+    }
+}
+
+fn place_panes(layout: &mut Layout, area: Rect, time: Rect, sides: usize) {
+    if area.is_empty() {
+        return;
+    }
+    let axis = if area.width >= AXIS + NARROWEST {
+        AXIS
+    } else {
+        0
+    };
+    layout.axis = Rect {
+        width: axis,
+        ..area
+    };
+    let room = area.width - axis;
+    let both = sides > 1 && room > 2 * NARROWEST;
+    let count = if both { 2 } else { 1 };
+    let width = (room - (count - 1)) / count;
+    for k in 0..count {
+        let x = area.x + axis + k * (width + 1);
+        let column = column_width(width, area.height);
+        let gap = u16::from(column > 0);
+        let trace = Rect {
+            x,
+            width: width - column - gap,
+            ..area
+        };
+        // The title of the first pane begins over the axis.
+        let start = if k == 0 { area.x } else { x };
+        layout.panes.push(Pane {
+            title: Rect {
+                x: start,
+                width: x + width - start,
+                ..layout.upper_rule
+            },
+            trace,
+            column: Rect {
+                x: trace.right() + gap,
+                width: column,
+                ..area
+            },
+            time: if time.is_empty() {
+                time
+            } else {
+                Rect { x, width, ..time }
+            },
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all(layout: &Layout) -> Vec<Rect> {
+        let mut rects = vec![
+            layout.header,
+            layout.upper_rule,
+            layout.axis,
+            layout.lower_rule,
+        ];
+        rects.extend([layout.text, layout.message, layout.keys]);
+        let Panels {
+            energy,
+            relative,
+            sigma,
+            parameters,
+        } = layout.panels;
+        rects.extend([energy, relative, sigma, parameters]);
+        for pane in &layout.panes {
+            rects.extend([pane.trace, pane.column, pane.time]);
+        }
+        rects
+    }
+
+    #[test]
+    fn nothing_overlaps_and_nothing_leaves_the_screen() {
+        for (width, height) in (1..130).flat_map(|w| (1..60).map(move |h| (w, h))) {
+            for sides in [1, 2] {
+                let rects = all(&layout((width, height), sides));
+                for (k, a) in rects.iter().enumerate().filter(|(_, a)| !a.is_empty()) {
+                    assert!(
+                        a.right() <= width && a.bottom() <= height,
+                        "{width}x{height}: {a}"
+                    );
+                    for b in rects[k + 1..].iter().filter(|b| !b.is_empty()) {
+                        assert!(!a.intersects(*b), "{width}x{height}: {a} and {b}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn everything_needed_to_teach_fits_80_by_24() {
+        let layout = layout((80, 24), 2);
+        assert_eq!(layout.panes.len(), 2);
+        assert!(
+            layout
+                .panes
+                .iter()
+                .all(|pane| pane.trace.width >= 29 && pane.trace.height >= 11)
+        );
+        assert!(layout.panes.iter().all(|pane| pane.column.width >= 5));
+        let Panels {
+            energy,
+            relative,
+            sigma,
+            parameters,
+        } = layout.panels;
+        assert!(
+            [energy, relative, sigma, parameters]
+                .iter()
+                .all(|rect| rect.height == 7)
+        );
+    }
+
+    #[test]
+    fn a_single_column_has_the_whole_width() {
+        assert!(layout((80, 24), 1).panes[0].trace.width >= 60);
+    }
+}

@@ -1,0 +1,280 @@
+//! Everything that the screen shows, and how frames change it.
+
+mod bench;
+mod overlay;
+mod pace;
+mod page;
+mod scale;
+
+pub use bench::{Bench, Change};
+pub(super) use overlay::moved;
+pub use overlay::{Menu, Overlay, Prompt};
+pub use pace::{Speed, speed_text};
+pub use page::Page;
+pub use scale::Scale;
+
+use std::time::{Duration, Instant};
+
+use super::layout;
+use super::theme::Theme;
+use crate::live::{Frame, History, Order, Side, Status, Sweep};
+use crate::scene::{Preset, Scene};
+
+/// Numbers are written this often: five times a second is read better than thirty.
+const NUMBERS: Duration = Duration::from_millis(200);
+/// The beads of the column now are drawn this often.
+const COLUMN: Duration = Duration::from_millis(100);
+/// A message stays for this long, or until a key.
+const MESSAGE: Duration = Duration::from_secs(8);
+
+/// A line for the person at the keyboard.
+#[derive(Debug, Clone)]
+pub struct Message {
+    /// What it says.
+    pub text: String,
+    /// Whether something has gone wrong.
+    pub alarm: bool,
+    since: Instant,
+}
+
+/// Something seen of the columns, refreshed at its own rate.
+#[derive(Debug, Clone, Default)]
+pub struct Glimpse {
+    /// The columns.
+    pub sides: Vec<Side>,
+    /// Simulated time, s.
+    pub time: f64,
+    /// Simulated seconds in a second, reached lately.
+    pub achieved: Option<f64>,
+    taken: Option<Instant>,
+}
+
+/// Everything that the screen shows.
+#[derive(Debug)]
+pub struct Model {
+    /// The preset on the bench.
+    pub preset: Preset,
+    /// Its scenes, and their edits.
+    pub bench: Bench,
+    /// Speed asked for.
+    pub speed: Speed,
+    /// Whether simulated time stands still.
+    pub paused: bool,
+    /// Whether it stands still by itself, the page being full.
+    pub held: bool,
+    /// The traces.
+    pub page: Page,
+    /// What the numbers are written from.
+    pub numbers: Glimpse,
+    /// What the column now is drawn from.
+    pub column: Glimpse,
+    /// The selected row of the parameter panel.
+    pub selected: usize,
+    /// What lies over the main screen.
+    pub overlay: Overlay,
+    /// The line of the moment.
+    pub message: Option<Message>,
+    /// Characters and colours.
+    pub theme: Theme,
+    /// Width and height of the screen, cells.
+    pub size: (u16, u16),
+    pub(super) generation: u64,
+}
+
+impl Model {
+    /// The model of a preset on a screen of that size, and the order that starts it.
+    ///
+    /// # Errors
+    /// When the preset's twin cannot be loaded, in a sentence.
+    pub fn new(
+        preset: Preset,
+        speed: Option<f64>,
+        theme: Theme,
+        size: (u16, u16),
+    ) -> Result<(Model, Order), String> {
+        let bench = Bench::new(&preset)?;
+        let sweep = sweep(bench.scenes(), size, 0.0);
+        let speed = speed.map_or_else(
+            || pace::first_speed(bench.scenes(), sweep.span),
+            Speed::nearest,
+        );
+        let model = Model {
+            page: Page::new(sweep, bench.scenes()),
+            preset,
+            bench,
+            speed,
+            paused: false,
+            held: false,
+            numbers: Glimpse::default(),
+            column: Glimpse::default(),
+            selected: 0,
+            overlay: Overlay::None,
+            message: None,
+            theme,
+            size,
+            generation: 0,
+        };
+        let mut model = model;
+        let order = model.start(true);
+        Ok((model, order))
+    }
+
+    /// The order that starts the scenes on the bench from t = 0.
+    pub(super) fn start(&mut self, running: bool) -> Order {
+        self.generation += 1;
+        self.held = false;
+        self.paused = !running;
+        let sweep = sweep(self.bench.scenes(), self.size, 0.0);
+        self.page = Page::new(sweep, self.bench.scenes());
+        (self.numbers, self.column) = (Glimpse::default(), Glimpse::default());
+        Order::Load {
+            generation: self.generation,
+            scenes: self.bench.scenes().to_vec(),
+            sweep,
+            speed: self.speed.factor(),
+            running,
+        }
+    }
+
+    /// Puts another preset on the bench; the order that starts it.
+    pub(super) fn load(&mut self, preset: Preset) -> Result<Order, String> {
+        self.bench = Bench::new(&preset)?;
+        self.preset = preset;
+        self.selected = 0;
+        let span = sweep(self.bench.scenes(), self.size, 0.0).span;
+        self.speed = pace::first_speed(self.bench.scenes(), span);
+        Ok(self.start(true))
+    }
+
+    /// Shows a frame. A page of another length begins when the page is turned, or at
+    /// once where the present one has become far too long or short.
+    pub(super) fn show(&mut self, mut frame: Frame, now: Instant) -> Option<Order> {
+        if frame.generation != self.generation {
+            return None;
+        }
+        let still = frame.paused;
+        (self.paused, self.held) = (frame.paused, frame.held);
+        let history = std::mem::replace(&mut frame.history, History::new(1));
+        let turned = self.page.take(frame.time, history);
+        if !frame.notes.is_empty() {
+            let failed = |side: &Side| matches!(side.status, Status::Failed(_));
+            self.say(frame.notes.join("; "), frame.sides.iter().any(failed), now);
+        }
+        self.expire_message(now);
+        self.column.refresh(&frame, COLUMN, still, now);
+        self.numbers.refresh(&frame, NUMBERS, still, now);
+        self.fit_page(turned, false)
+    }
+
+    /// The order for another sampling, if the page in force no longer suits the
+    /// screen or the scene. A page that would become only a little longer or shorter
+    /// is finished first, unless it is to be changed `at_once`.
+    pub(super) fn fit_page(&mut self, turned: bool, at_once: bool) -> Option<Order> {
+        let present = self.page.sweep;
+        let mut wanted = sweep(self.bench.scenes(), self.size, present.origin);
+        let ratio = wanted.span / present.span;
+        let bears = (0.6..1.7).contains(&ratio) && !turned && !at_once;
+        if (ratio - 1.0).abs() < 1e-9 || bears {
+            wanted.span = present.span;
+        } else {
+            // What has been drawn of this page stays, if the new one is long enough.
+            let start = present.page_start(self.page.now);
+            wanted.origin = if self.page.now - start < wanted.span {
+                start
+            } else {
+                self.page.now
+            };
+        }
+        if wanted == present {
+            return None;
+        }
+        self.page.set_sweep(wanted);
+        Some(Order::Sweep(wanted))
+    }
+
+    /// Shows a line for a while.
+    pub(super) fn say(&mut self, text: impl Into<String>, alarm: bool, now: Instant) {
+        self.message = Some(Message {
+            text: text.into(),
+            alarm,
+            since: now,
+        });
+    }
+
+    fn expire_message(&mut self, now: Instant) {
+        if self
+            .message
+            .as_ref()
+            .is_some_and(|message| now.duration_since(message.since) > MESSAGE)
+        {
+            self.message = None;
+        }
+    }
+
+    /// The name of a column: MD or ED.
+    pub fn label(&self, index: usize) -> &'static str {
+        match self.bench.scenes().get(index) {
+            Some(scene) if !scene.is_md() => "ED",
+            _ => "MD",
+        }
+    }
+
+    /// Whether every floor collision is over.
+    pub fn is_over(&self) -> bool {
+        let sides = &self.numbers.sides;
+        !sides.is_empty() && sides.iter().all(|side| side.status != Status::Running)
+    }
+
+    /// Live σ of a column: its mean free flight in contact times; infinite for hard
+    /// spheres alone, none before the first flight.
+    pub fn sigma(&self, side: &Side) -> Option<f64> {
+        side.seen
+            .free_flight
+            .map(|flight| self.contact_times(flight))
+    }
+
+    /// σ of the last landing: mean separation over speed at arrival, over t_c.
+    pub fn landing(&self, side: &Side) -> Option<f64> {
+        side.seen
+            .crossing
+            .map(|crossing| self.contact_times(crossing))
+    }
+
+    /// The lowest σ of the last few landings.
+    pub fn densest(&self, side: &Side) -> Option<f64> {
+        side.seen
+            .densest
+            .map(|crossing| self.contact_times(crossing))
+    }
+
+    fn contact_times(&self, time: f64) -> f64 {
+        self.bench
+            .contact_time()
+            .map_or(f64::INFINITY, |contact_time| time / contact_time)
+    }
+}
+
+impl Glimpse {
+    fn refresh(&mut self, frame: &Frame, every: Duration, at_once: bool, now: Instant) {
+        let due = self
+            .taken
+            .is_none_or(|taken| now.duration_since(taken) >= every);
+        if due || at_once {
+            self.sides.clone_from(&frame.sides);
+            self.time = frame.time;
+            self.achieved = frame.achieved;
+            self.taken = Some(now);
+        }
+    }
+}
+
+/// The page of these scenes on a screen of that size.
+fn sweep(scenes: &[Scene], size: (u16, u16), origin: f64) -> Sweep {
+    let cells = layout::trace_width(size, scenes.len());
+    Sweep {
+        origin,
+        span: pace::span(scenes, cells),
+        columns: usize::from(cells.max(1)) * 2,
+        hold: pace::ends(scenes),
+    }
+}

@@ -1,0 +1,257 @@
+//! The scenes on the bench: the column and its twin, and the edits of them.
+
+use crate::scene::parameters::{self, Parameter, Setting, Value, table};
+use crate::scene::{Facts, Method, MethodName, Preset, Scene, SceneError};
+
+/// Edits that can be undone.
+const UNDO: usize = 200;
+
+/// The scenes of a preset: one, or two with soft contacts on the left.
+#[derive(Debug, Clone)]
+pub struct Bench {
+    scenes: Vec<Scene>,
+    original: Vec<Scene>,
+    undo: Vec<Vec<Scene>>,
+    /// Which of two scenes is the preset's own.
+    own: usize,
+    /// The soft-contact method last in force, to come back to.
+    soft: Option<Method>,
+    /// The hard-sphere method last in force.
+    hard: Option<Method>,
+}
+
+/// What an edit means for the running columns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Change {
+    /// They go on, each from the column of that index.
+    GoOn(Vec<usize>),
+    /// They start again from t = 0.
+    Restart,
+}
+
+impl Bench {
+    /// The scenes of a preset: its own, and its twin where there is one.
+    ///
+    /// # Errors
+    /// When the preset that is to run beside it cannot be loaded.
+    pub fn new(preset: &Preset) -> Result<Bench, String> {
+        let own = preset.scene.clone();
+        let twin = match &preset.beside {
+            Some(name) => Some(Preset::load(name).map_err(|error| error.to_string())?.scene),
+            None if own.is_md() => own.with_method(MethodName::Ed).ok(),
+            None => None,
+        };
+        let (scenes, own) = match twin {
+            Some(twin) if twin.is_md() && !own.is_md() => (vec![twin, own], 1),
+            Some(twin) => (vec![own, twin], 0),
+            None => (vec![own], 0),
+        };
+        let mut bench = Bench {
+            original: scenes.clone(),
+            scenes,
+            undo: Vec::new(),
+            own,
+            soft: None,
+            hard: None,
+        };
+        bench.remember_methods();
+        Ok(bench)
+    }
+
+    /// The scenes, left to right.
+    pub fn scenes(&self) -> &[Scene] {
+        &self.scenes
+    }
+
+    /// The contact time that σ is taken with, s: that of the soft contacts, or of
+    /// the TC rule; none among hard spheres alone.
+    pub fn contact_time(&self) -> Option<f64> {
+        let soft = self.scenes.iter().find(|scene| scene.is_md());
+        soft.and_then(|scene| scene.contact_time())
+            .or_else(|| self.scenes.iter().find_map(|scene| scene.contact_time()))
+    }
+
+    /// The parameters that the scenes have, in the order of the table. A run's
+    /// duration is not the explorer's.
+    pub fn parameters(&self) -> Vec<&'static Parameter> {
+        table()
+            .iter()
+            .filter(|p| p.name != "duration" && self.value(p).is_some())
+            .collect()
+    }
+
+    /// The value of a parameter in the first scene that has it.
+    pub fn value(&self, parameter: &Parameter) -> Option<Value> {
+        self.scenes
+            .iter()
+            .find_map(|scene| (parameter.get)(scene.facts()))
+    }
+
+    /// Sets a parameter in every scene that has it: in all of them or, when one of
+    /// them refuses, in none.
+    ///
+    /// # Errors
+    /// The first scene's reason to refuse.
+    pub fn set(
+        &mut self,
+        parameter: &'static Parameter,
+        value: Value,
+    ) -> Result<Change, SceneError> {
+        let has = |scene: &Scene| parameter.applies(scene.facts());
+        if !self.scenes.iter().any(has) {
+            parameters::edit(&self.scenes[0], parameter, value)?;
+        }
+        let edited = self
+            .scenes
+            .iter()
+            .map(|scene| {
+                if has(scene) {
+                    self.edited(scene, parameter, value)
+                } else {
+                    Ok(scene.clone())
+                }
+            })
+            .collect::<Result<Vec<Scene>, SceneError>>()?;
+        Ok(self.put(edited))
+    }
+
+    fn edited(
+        &self,
+        scene: &Scene,
+        parameter: &'static Parameter,
+        value: Value,
+    ) -> Result<Scene, SceneError> {
+        let mut facts = scene.facts().clone();
+        let mut layer = vec![Setting { parameter, value }];
+        // The TC rule needs a contact time, and the soft twin has one.
+        if let (Value::Choice("tc"), Some(time), Some(row)) =
+            (value, self.contact_time(), parameters::find("contact_time"))
+        {
+            layer.push(Setting {
+                parameter: row,
+                value: Value::Number(time),
+            });
+        }
+        parameters::apply(&mut facts, &layer)?;
+        parameters::complete(&facts)?;
+        Scene::new(facts)
+    }
+
+    /// Takes the last edit back, if there is one.
+    pub fn undo(&mut self) -> Option<Change> {
+        let before = self.undo.pop()?;
+        let change = self.change_to(&before);
+        self.scenes = before;
+        self.remember_methods();
+        Some(change)
+    }
+
+    /// Back to the preset, if something was edited. This can be undone.
+    pub fn reset(&mut self) -> Option<Change> {
+        if self.scenes == self.original {
+            return None;
+        }
+        let original = self.original.clone();
+        Some(self.put(original))
+    }
+
+    /// The next method for the left column: Gear, Verlet, ED, and so on round.
+    ///
+    /// # Errors
+    /// When the scene cannot have any other method, in a sentence.
+    pub fn next_method(&mut self) -> Result<Change, String> {
+        let scene = &self.scenes[0];
+        let next = match scene.method.name() {
+            MethodName::Gear => scene.with_method(MethodName::Verlet),
+            MethodName::Verlet => {
+                Self::with(scene, self.hard).unwrap_or_else(|| scene.with_method(MethodName::Ed))
+            }
+            MethodName::Ed => Self::with(scene, self.soft)
+                .unwrap_or_else(|| scene.with_method(MethodName::Gear))
+                .and_then(|soft| soft.with_method(MethodName::Gear)),
+        };
+        let mut scenes = self.scenes.clone();
+        scenes[0] = next.map_err(|error| format!("no other method: {error}"))?;
+        Ok(self.put(scenes))
+    }
+
+    /// Puts the twin beside the column, from its present state, or takes it away.
+    ///
+    /// # Errors
+    /// When there can be no twin, in a sentence.
+    pub fn toggle_twin(&mut self) -> Result<Change, String> {
+        if self.scenes.len() == 2 {
+            let kept = self.own.min(1);
+            self.scenes = vec![self.scenes[kept].clone()];
+            self.undo.clear();
+            return Ok(Change::GoOn(vec![kept]));
+        }
+        let own = self.scenes[0].clone();
+        let twin = if own.is_md() {
+            Self::with(&own, self.hard).unwrap_or_else(|| own.with_method(MethodName::Ed))
+        } else {
+            Self::with(&own, self.soft).unwrap_or_else(|| own.with_method(MethodName::Gear))
+        };
+        let twin = twin.map_err(|error| format!("no twin: {error}"))?;
+        self.undo.clear();
+        self.own = usize::from(twin.is_md());
+        self.scenes = if twin.is_md() {
+            vec![twin, own]
+        } else {
+            vec![own, twin]
+        };
+        self.remember_methods();
+        Ok(Change::GoOn(vec![0, 0]))
+    }
+
+    /// The scene under a method that was in force before.
+    fn with(scene: &Scene, method: Option<Method>) -> Option<Result<Scene, SceneError>> {
+        method.map(|method| {
+            Scene::new(Facts {
+                method,
+                ..scene.facts().clone()
+            })
+        })
+    }
+
+    fn put(&mut self, scenes: Vec<Scene>) -> Change {
+        let change = self.change_to(&scenes);
+        if self.undo.len() == UNDO {
+            self.undo.remove(0);
+        }
+        self.undo.push(std::mem::replace(&mut self.scenes, scenes));
+        self.remember_methods();
+        change
+    }
+
+    fn remember_methods(&mut self) {
+        for scene in &self.scenes {
+            let memory = if scene.is_md() {
+                &mut self.soft
+            } else {
+                &mut self.hard
+            };
+            *memory = Some(scene.method);
+        }
+    }
+
+    /// What it takes to get from the present scenes to others.
+    fn change_to(&self, others: &[Scene]) -> Change {
+        let fixed = |scene: &Scene| {
+            let rows = table().iter().filter(|parameter| !parameter.live);
+            rows.map(|parameter| (parameter.get)(scene.facts()))
+                .collect::<Vec<_>>()
+        };
+        let same = others.len() == self.scenes.len()
+            && self
+                .scenes
+                .iter()
+                .zip(others)
+                .all(|(a, b)| fixed(a) == fixed(b));
+        if same {
+            Change::GoOn((0..others.len()).collect())
+        } else {
+            Change::Restart
+        }
+    }
+}

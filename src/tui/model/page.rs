@@ -1,0 +1,167 @@
+//! The page on the screen: its samples, its vertical scale, its turn.
+
+use super::scale::Scale;
+use crate::live::{History, Row, Sample, Sweep};
+use crate::scene::{Floor, Scene, Start};
+
+/// Everything the traces are drawn from.
+#[derive(Debug, Clone)]
+pub struct Page {
+    /// Length and sampling of the page.
+    pub sweep: Sweep,
+    /// Samples of this page, and those of the last one that are not written over.
+    pub samples: History,
+    /// Vertical scale of the traces.
+    pub scale: Scale,
+    /// Where the pen is, s.
+    pub now: f64,
+    /// No scale is smaller than this, m: the noise of a column at rest is not shown.
+    least: f64,
+}
+
+/// The least scale as a part of the one expected.
+const LEAST: f64 = 0.01;
+
+impl Page {
+    /// An empty page for these scenes.
+    pub fn new(sweep: Sweep, scenes: &[Scene]) -> Page {
+        let scale = expected(scenes);
+        Page {
+            sweep,
+            samples: History::new(sweep.columns + 1),
+            scale,
+            now: 0.0,
+            least: LEAST * (scale.top() - scale.bottom()),
+        }
+    }
+
+    /// Takes in the new samples, now that simulated time has come to `time`; whether
+    /// the page was turned.
+    pub fn take(&mut self, time: f64, history: History) -> bool {
+        if time < self.now {
+            self.samples.clear();
+        }
+        let turned = self.sweep.page(time) > self.sweep.page(self.now);
+        self.now = time;
+        if let (true, Some((bottom, top))) = (turned, extent(self.samples.iter())) {
+            self.scale = self
+                .scale
+                .for_next_page(bottom, top.max(bottom + self.least));
+        }
+        if let Some((bottom, top)) = extent(history.iter()) {
+            self.scale = self.scale.grown(bottom, top);
+        }
+        self.samples.append(history);
+        turned
+    }
+
+    /// Another sampling of the page, or one of another length; what was drawn before
+    /// it begins is forgotten.
+    pub fn set_sweep(&mut self, sweep: Sweep) {
+        if sweep.span.to_bits() != self.sweep.span.to_bits() {
+            self.samples.forget_before(sweep.origin);
+        }
+        self.sweep = sweep;
+        self.samples.set_capacity(sweep.columns + 1);
+    }
+
+    /// The samples with their place on the page from 0 to 1, in the order in which
+    /// they were taken, where they are not written over: the old page ends `gap`
+    /// (a part of the page) ahead of the pen.
+    pub fn visible(&self, gap: f64) -> impl Iterator<Item = (f64, &Sample)> {
+        let sweep = self.sweep;
+        let column = move |time: f64| (time - sweep.origin) / sweep.interval();
+        let grid = move |time: f64| column(time).round();
+        let columns = sweep.columns as f64;
+        let page = ((column(self.now) + 1e-6).floor() / columns).floor();
+        let pen = sweep.phase(self.now);
+        self.samples.iter().filter_map(move |sample| {
+            let index = grid(sample.time);
+            let place = index.rem_euclid(columns) / columns;
+            let fresh = (index / columns).floor() >= page;
+            (fresh || place > pen + gap).then_some((place, sample))
+        })
+    }
+}
+
+/// The lowest and the highest thing in the samples, m.
+fn extent<'a>(samples: impl Iterator<Item = &'a Sample>) -> Option<(f64, f64)> {
+    let heights = samples
+        .flat_map(|sample| sample.rows.iter().flatten())
+        .flat_map(|row: &Row| row.reduced.iter().chain([&row.floor]))
+        .copied()
+        .filter(|z| z.is_finite());
+    let (low, high) = heights.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), z| {
+        (low.min(z), high.max(z))
+    });
+    (low <= high).then(|| (f64::from(low), f64::from(high)))
+}
+
+/// A scale to begin with.
+fn expected(scenes: &[Scene]) -> Scale {
+    let (mut bottom, mut top) = (0.0f64, 0.0f64);
+    for scene in scenes {
+        if let Floor::Vibrating { amplitude, .. } = scene.floor {
+            bottom = bottom.min(-amplitude);
+            top = top.max(4.0 * amplitude);
+        }
+        if let Start::Separated { s0, v0, .. } = scene.start {
+            let overlap = v0.abs() * scene.contact_time().unwrap_or(0.0);
+            bottom = bottom.min(-2.0 * overlap);
+            top = top.max(s0 * scene.n as f64).max(4.0 * overlap);
+        }
+    }
+    if top <= bottom {
+        top = scenes.first().map_or(1e-3, |scene| scene.diameter);
+    }
+    Scale::holding(bottom, top)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn page() -> Page {
+        let sweep = Sweep {
+            origin: 0.0,
+            span: 1.0,
+            columns: 10,
+            hold: false,
+        };
+        Page::new(sweep, &[])
+    }
+
+    fn take(page: &mut Page, times: &[f64]) -> bool {
+        let mut history = History::new(64);
+        for &time in times {
+            history.push(Sample {
+                time,
+                rows: Vec::new(),
+            });
+        }
+        page.take(times.last().copied().unwrap_or(0.0), history)
+    }
+
+    #[test]
+    fn the_pen_writes_over_the_old_page() {
+        let mut page = page();
+        assert!(!take(
+            &mut page,
+            &[0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]
+        ));
+        assert!(take(&mut page, &[1.0, 1.1, 1.2]));
+        let places: Vec<f64> = page
+            .visible(0.15)
+            .map(|(place, _)| (place * 10.0).round())
+            .collect();
+        assert_eq!(places, [4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 0.0, 1.0, 2.0]);
+    }
+
+    #[test]
+    fn a_restart_empties_the_page() {
+        let mut page = page();
+        take(&mut page, &[0.0, 0.1, 0.2]);
+        take(&mut page, &[0.0, 0.1]);
+        assert_eq!(page.samples.len(), 2);
+    }
+}

@@ -1,0 +1,251 @@
+//! The model as a picture.
+
+use ratatui::Frame;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::layout::{Layout, Pane, layout};
+use super::model::{Model, Overlay};
+use super::numbers;
+use super::widgets::beads::Beads;
+use super::widgets::strip::Quantity;
+use super::widgets::text::{columns, fitted, line};
+use super::widgets::trace::Trace;
+use super::widgets::{footer, header, help, menu, parameters, rules, sigma, strip};
+use crate::live::Status;
+use crate::scene::{CollisionRule, Integrator, Method};
+
+/// Draws the model.
+pub fn view(model: &Model, frame: &mut Frame) {
+    let area = frame.area();
+    let layout = layout((area.width, area.height), model.bench.scenes().len());
+    let buffer = frame.buffer_mut();
+    let above_keys = Rect {
+        height: area.height.saturating_sub(layout.keys.height),
+        ..area
+    };
+    match &model.overlay {
+        Overlay::Help(scrolled) => help::render(model, *scrolled, above_keys, buffer),
+        Overlay::Presets(menu) => menu::render(model, menu, above_keys, buffer),
+        Overlay::None | Overlay::Prompt(_) => {
+            header::render(model, layout.header, buffer);
+            draw_rules(model, &layout, buffer);
+            draw_panes(model, &layout, buffer);
+            draw_panels(model, &layout, buffer);
+            footer::render_message(model, layout.text.is_empty(), layout.message, buffer);
+        }
+    }
+    footer::render_keys(model, layout.keys, buffer);
+    if model.theme.ascii {
+        keep_ascii(buffer);
+    }
+}
+
+fn draw_rules(model: &Model, layout: &Layout, buffer: &mut Buffer) {
+    let theme = model.theme;
+    for rule in [layout.upper_rule, layout.lower_rule]
+        .into_iter()
+        .filter(|rule| !rule.is_empty())
+    {
+        rules::horizontal(theme, rule, buffer);
+    }
+    let panels = [
+        layout.panels.relative,
+        layout.panels.sigma,
+        layout.panels.parameters,
+    ];
+    for panel in panels
+        .into_iter()
+        .filter(|panel| !panel.is_empty() && panel.x > 0)
+    {
+        rules::vertical(theme, panel.x - 1, panel.y..panel.bottom(), buffer);
+    }
+    if let Some(second) = layout.panes.get(1) {
+        let bottom = second.trace.bottom() + second.time.height;
+        rules::vertical(theme, second.trace.x - 1, second.trace.y..bottom, buffer);
+    }
+}
+
+fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
+    draw_axis(model, layout.axis, buffer);
+    for (index, pane) in layout.panes.iter().enumerate() {
+        let Some(scene) = model.bench.scenes().get(index) else {
+            continue;
+        };
+        draw_title(model, index, pane.title, buffer);
+        draw_time(model, pane, buffer);
+        let seen = model.column.sides.get(index);
+        let failure = seen.and_then(|side| match &side.status {
+            Status::Failed(why) => Some(why.as_str()),
+            Status::Running | Status::Over => None,
+        });
+        Trace {
+            page: &model.page,
+            side: index,
+            failure,
+            theme: model.theme,
+        }
+        .render(pane.trace, buffer);
+        if let Some(side) = seen {
+            let below = Rect {
+                y: pane.column.bottom(),
+                ..pane.time
+            };
+            let (scale, theme) = (&model.page.scale, model.theme);
+            Beads {
+                side,
+                index,
+                scale,
+                diameter: scene.diameter,
+                theme,
+            }
+            .render(pane.column, below, buffer);
+        }
+    }
+}
+
+/// The heights of the ticks, the unit at the uppermost.
+fn draw_axis(model: &Model, area: Rect, buffer: &mut Buffer) {
+    if area.is_empty() {
+        return;
+    }
+    let scale = &model.page.scale;
+    let (factor, prefix) = numbers::prefix(scale.top().abs().max(scale.bottom().abs()));
+    let rows = f64::from(area.height.saturating_sub(1));
+    let mut taken = None;
+    let ticks: Vec<f64> = scale.ticks().collect();
+    for (k, &tick) in ticks.iter().enumerate().rev() {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a row of the area"
+        )]
+        let row = ((1.0 - scale.place(tick)) * rows).round().clamp(0.0, rows) as u16;
+        if taken.replace(row) == Some(row) {
+            continue;
+        }
+        let number = format!("{}", round(tick / factor));
+        let unit = if k + 1 == ticks.len() {
+            format!(" {prefix}m")
+        } else {
+            String::new()
+        };
+        line(model.theme, buffer, area, row).put(&format!("{number}{unit}"), model.theme.quiet());
+    }
+}
+
+/// A tick's number without the crumbs of binary fractions.
+fn round(x: f64) -> f64 {
+    let rounded = (x * 1e6).round() / 1e6;
+    if rounded == 0.0 { 0.0 } else { rounded }
+}
+
+fn draw_title(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
+    if area.is_empty() {
+        return;
+    }
+    let (Some(scene), theme) = (model.bench.scenes().get(index), model.theme) else {
+        return;
+    };
+    let method = match scene.method {
+        Method::Md {
+            integrator,
+            steps_per_contact,
+            ..
+        } => {
+            let name = match integrator {
+                Integrator::Gear => "Gear",
+                Integrator::Verlet => "Verlet",
+            };
+            format!("{name}, t_c/{}", round(steps_per_contact))
+        }
+        Method::Ed {
+            rule: CollisionRule::Lrv,
+        } => "hard spheres".to_owned(),
+        Method::Ed {
+            rule: CollisionRule::Tc { .. },
+        } => "hard spheres, rule tc".to_owned(),
+    };
+    let inner = Rect {
+        width: area.width.saturating_sub(2),
+        ..area
+    };
+    let mut title = line(theme, buffer, inner, 0);
+    title
+        .skip(2)
+        .put(" ", theme.quiet())
+        .put(model.label(index), theme.side(index).patch(theme.strong()))
+        .put(&format!("  {method} "), theme.quiet());
+    if let Some(side) = model.numbers.sides.get(index) {
+        let drift = numbers::scientific(side.seen.energy.drift);
+        title.right(&format!(" drift {drift} "), theme.quiet());
+    }
+}
+
+/// When the page begins and ends.
+fn draw_time(model: &Model, pane: &Pane, buffer: &mut Buffer) {
+    if pane.time.is_empty() {
+        return;
+    }
+    let theme = model.theme;
+    let sweep = &model.page.sweep;
+    let start = sweep.page_start(model.page.now);
+    let axis = Rect {
+        width: pane.trace.width.saturating_sub(2),
+        ..pane.time
+    };
+    let from = numbers::clock(start, sweep.span);
+    let to = numbers::clock(start + sweep.span, sweep.span);
+    if columns(&from) + columns(&to) < axis.width {
+        line(theme, buffer, axis, 0)
+            .put(&from, theme.quiet())
+            .right(&to, theme.quiet());
+    }
+}
+
+fn draw_panels(model: &Model, layout: &Layout, buffer: &mut Buffer) {
+    let panels = &layout.panels;
+    strip::render(model, Quantity::Kinetic, panels.energy, buffer);
+    strip::render(model, Quantity::Relative, panels.relative, buffer);
+    for (panel, title) in [(panels.sigma, "σ"), (panels.parameters, "parameters")] {
+        if !panel.is_empty() {
+            let above = Rect {
+                y: panel.y.saturating_sub(1),
+                height: 1,
+                ..panel
+            };
+            rules::title(model.theme, title, above, buffer);
+        }
+    }
+    sigma::render(model, panels.sigma, buffer);
+    parameters::render(model, panels.parameters, buffer);
+    if !layout.text.is_empty() {
+        let rule = Rect {
+            height: 1,
+            ..layout.text
+        };
+        rules::horizontal(model.theme, rule, buffer);
+        let title = format!("{}: {}", model.preset.name, model.preset.title);
+        rules::title(
+            model.theme,
+            &fitted(&title, rule.width.saturating_sub(6)),
+            rule,
+            buffer,
+        );
+        let inner = Rect {
+            y: rule.bottom(),
+            height: layout.text.height - 1,
+            ..layout.text
+        };
+        menu::render_texts(model, &model.preset, inner, buffer);
+    }
+}
+
+/// No byte beyond ASCII reaches a terminal that cannot show it.
+fn keep_ascii(buffer: &mut Buffer) {
+    for cell in &mut buffer.content {
+        if !cell.symbol().is_ascii() {
+            cell.set_symbol("?");
+        }
+    }
+}

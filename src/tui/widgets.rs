@@ -1,0 +1,15 @@
+//! What the screen is made of, one widget a file.
+
+pub mod beads;
+pub mod details;
+pub mod footer;
+pub mod header;
+pub mod help;
+pub mod menu;
+pub mod parameters;
+pub mod raster;
+pub mod rules;
+pub mod sigma;
+pub mod strip;
+pub mod text;
+pub mod trace;

@@ -1,0 +1,119 @@
+//! The last lines: a message or a prompt, and the keys.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+use super::text::{Line, columns, fitted, line};
+use crate::tui::keys::{BINDINGS, Hint};
+use crate::tui::model::{Model, Overlay, Prompt};
+
+/// Draws the line of the moment: a prompt, a message, a hint, or, where it stands
+/// nowhere else, what to look for.
+pub fn render_message(model: &Model, look_for: bool, area: Rect, buffer: &mut Buffer) {
+    let theme = model.theme;
+    let mut start = line(theme, buffer, area, 0);
+    start.skip(1);
+    let room = start.room().saturating_sub(1);
+    match (&model.overlay, &model.message) {
+        (Overlay::Prompt(prompt), _) => ask(&mut start, prompt, model),
+        (_, Some(message)) => {
+            let style = if message.alarm {
+                theme.alarm()
+            } else {
+                theme.strong()
+            };
+            start.put(&fitted(&theme.text(&message.text), room), style);
+        }
+        _ if model.held => {
+            let what = if model.is_over() {
+                "the collision is over"
+            } else {
+                "the page is full"
+            };
+            start.put(
+                &format!("{what}: r restarts, space goes on"),
+                theme.strong(),
+            );
+        }
+        _ if !look_for => {}
+        _ => {
+            let text = format!("look for: {}", model.preset.look_for);
+            start.put(&fitted(&theme.text(&text), room), theme.quiet());
+        }
+    }
+}
+
+fn ask(line: &mut Line<'_>, prompt: &Prompt, model: &Model) {
+    let theme = model.theme;
+    let (what, how) = match prompt.parameter {
+        Some(parameter) => (
+            format!("{} = ", parameter.name),
+            format!("  {}", parameter.allowed()),
+        ),
+        None => ("set ".to_owned(), "  name=value, in SI units".to_owned()),
+    };
+    let how = if prompt.text.is_empty() {
+        how
+    } else {
+        "  Enter sets, Esc leaves".to_owned()
+    };
+    line.put(&what, theme.strong())
+        .put(&prompt.text, Style::new())
+        .put(" ", theme.selected())
+        .put(&how, theme.quiet());
+}
+
+/// Draws the keys, as many as there is room for.
+pub fn render_keys(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = model.theme;
+    let hints = fitting(area.width);
+    let mut line = line(theme, buffer, area, 0);
+    for hint in hints {
+        line.put(" ", Style::new())
+            .put(hint.keys, theme.strong())
+            .put(" ", Style::new());
+        line.put(hint.what, theme.quiet()).put(" ", Style::new());
+    }
+}
+
+/// The hints for a line of that width: the least needed are left out.
+fn fitting(width: u16) -> Vec<Hint> {
+    let mut hints: Vec<Hint> = BINDINGS.iter().filter_map(|binding| binding.hint).collect();
+    let wide = |hints: &[Hint]| {
+        hints
+            .iter()
+            .map(|hint| columns(hint.keys) + columns(hint.what) + 3)
+            .sum::<u16>()
+    };
+    while wide(&hints) > width {
+        let Some(least) = hints
+            .iter()
+            .map(|hint| hint.rank)
+            .max()
+            .filter(|_| hints.len() > 1)
+        else {
+            break;
+        };
+        hints.retain(|hint| hint.rank < least);
+    }
+    hints
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn help_and_quit_stay_to_the_last() {
+        let keys = |width| {
+            fitting(width)
+                .iter()
+                .map(|hint| hint.keys)
+                .collect::<Vec<_>>()
+        };
+        assert!(keys(80).contains(&"space") && keys(80).contains(&"p") && keys(80).contains(&"m"));
+        assert_eq!(keys(20), ["?", "q"]);
+        assert!(keys(200).len() >= 11);
+    }
+}

@@ -1,0 +1,118 @@
+//! The first line: what is simulated; simulated time and speed.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+
+use super::text::{columns, fitted, line};
+use crate::scene::parameters::{Parameter, Value, display, display_ascii, find};
+use crate::tui::model::{Model, speed_text};
+use crate::tui::numbers;
+
+/// What tells one scene from another, the most important first.
+const FACTS: [&str; 7] = [
+    "n",
+    "restitution",
+    "contact_time",
+    "frequency",
+    "alpha",
+    "s0",
+    "v0",
+];
+/// Speeds that differ by less are the same.
+const SAME: f64 = 0.1;
+
+/// Draws the line.
+pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
+    let theme = model.theme;
+    let clock = clock(model);
+    let room = area.width.saturating_sub(columns(&theme.text(&clock)) + 2);
+    let left = Rect {
+        width: room,
+        ..area
+    };
+    let name = &model.preset.name;
+    let (facts, taken) = facts(model, room.saturating_sub(columns(name) + 1));
+    let spare = room.saturating_sub(columns(name) + 1 + taken);
+    // The program's name and the title give way to what is simulated.
+    let (program, spare) = if spare >= 9 {
+        (" beadlab  ", spare - 9)
+    } else {
+        (" ", spare)
+    };
+    let title = match spare {
+        24.. => format!("  {}", fitted(&model.preset.title, spare - 3)),
+        _ => String::new(),
+    };
+    line(theme, buffer, left, 0)
+        .put(program, theme.quiet())
+        .put(name, theme.strong())
+        .put(&title, Style::new())
+        .put(&facts, Style::new());
+    line(theme, buffer, area, 0).right(&format!("{clock} "), theme.strong());
+}
+
+/// As many facts as fit, and the columns they take.
+fn facts(model: &Model, room: u16) -> (String, u16) {
+    let sigma = model.bench.scenes()[0]
+        .sigma0()
+        .map(|s| format!("  σ_0 {}", numbers::short(s)));
+    let mut all: Vec<String> = FACTS
+        .iter()
+        .filter_map(|name| fact(model, find(name)?))
+        .collect();
+    all.splice(
+        all.len().saturating_sub(1)..all.len().saturating_sub(1),
+        sigma,
+    );
+    let (mut text, mut taken) = (String::new(), 0);
+    for fact in all {
+        let width = columns(&model.theme.text(&fact));
+        if taken + width <= room {
+            text += &fact;
+            taken += width;
+        }
+    }
+    (text, taken)
+}
+
+fn fact(model: &Model, parameter: &Parameter) -> Option<String> {
+    let value = model.bench.value(parameter)?;
+    if let ("alpha", Value::Number(alpha)) = (parameter.name, value) {
+        return Some(format!("  α {}", numbers::short(alpha)));
+    }
+    Some(match (model.theme.ascii, parameter.name) {
+        // The unit says it all.
+        (_, "frequency") => format!("  {}", display(parameter, value)),
+        (true, _) => format!(
+            "  {} {}",
+            parameter.symbol_ascii,
+            display_ascii(parameter, value)
+        ),
+        (false, _) => format!("  {} {}", parameter.symbol, display(parameter, value)),
+    })
+}
+
+/// Simulated time, and how fast it goes.
+fn clock(model: &Model) -> String {
+    let time = numbers::clock(model.numbers.time, model.page.sweep.span);
+    let asked = speed_text(model.speed.factor());
+    let glyph = |unicode, ascii| model.theme.symbol(unicode, ascii);
+    if model.held {
+        let what = if model.is_over() { "over" } else { "page full" };
+        return format!("t {time}  {} {what}", glyph("■", "#"));
+    }
+    if model.paused {
+        return format!("t {time}  {} paused, {asked}", glyph("‖", "="));
+    }
+    let play = glyph("▶", ">");
+    match model.numbers.achieved {
+        Some(got) if (got / model.speed.factor() - 1.0).abs() > SAME => {
+            format!(
+                "t {time}  {play} {asked} asked, {} reached",
+                speed_text(got)
+            )
+        }
+        _ => format!("t {time}  {play} {asked} real time"),
+    }
+}

@@ -1,0 +1,126 @@
+//! The help: the keys, and what the numbers mean.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::widgets::{Clear, Widget};
+
+use super::rules;
+use super::text::{line, wrapped};
+use crate::tui::keys::BINDINGS;
+use crate::tui::model::Model;
+
+/// What the screen shows, term by term.
+const TERMS: &[(&str, &str)] = &[
+    (
+        "z_i",
+        "reduced height of bead i: its height less the diameters of the beads below. All lines meet where the beads touch.",
+    ),
+    (
+        "MD",
+        "soft contacts that last t_c. Contacts of many beads at once lose too little energy: the detachment effect.",
+    ),
+    (
+        "ED",
+        "hard spheres, one collision after another, none of which takes time.",
+    ),
+    (
+        "E_r/E",
+        "the part of the kinetic energy that is motion of the beads against each other: 0 for a column that moves as one.",
+    ),
+    (
+        "σ landing",
+        "mean separation of the beads over their speed as they arrive at the floor, in contact times. The lowest of the last six landings decides the regime.",
+    ),
+    (
+        "σ",
+        "mean free flight between two contacts of a pair, in contact times. σ ≪ 1: detachment, MD is not to be trusted; σ ≫ 1: MD and ED agree.",
+    ),
+    (
+        "ε_eff",
+        "speed of the column after its last bounce off the floor over that before.",
+    ),
+    (
+        "drift",
+        "change of the energy ledger, relative to its largest term: the run's own estimate of its error.",
+    ),
+];
+
+/// A line of the help: a word, and what it stands for.
+type Entry = (String, String);
+
+/// Draws the help over the whole area, scrolled down by so many lines.
+pub fn render(model: &Model, scrolled: u16, area: Rect, buffer: &mut Buffer) {
+    Clear.render(area, buffer);
+    let theme = model.theme;
+    rules::horizontal(
+        theme,
+        Rect {
+            height: 1.min(area.height),
+            ..area
+        },
+        buffer,
+    );
+    rules::title(
+        theme,
+        "help: any key goes back, arrows scroll",
+        area,
+        buffer,
+    );
+    let body = Rect {
+        y: area.y.saturating_add(1),
+        height: area.height.saturating_sub(1),
+        ..area
+    };
+    let lines = content(model, body.width);
+    let last = u16::try_from(lines.len())
+        .unwrap_or(u16::MAX)
+        .saturating_sub(body.height);
+    let shown = lines.iter().skip(usize::from(scrolled.min(last)));
+    for (row, (word, text)) in (0..body.height).zip(shown) {
+        let narrow = Rect {
+            width: WORD,
+            ..body
+        };
+        let rest = Rect {
+            x: body.x + WORD.min(body.width),
+            width: body.width.saturating_sub(WORD),
+            ..body
+        };
+        line(theme, buffer, narrow, row).put(&format!(" {word}"), theme.strong());
+        line(theme, buffer, rest, row).put(text, Style::new());
+    }
+}
+
+/// Columns for the word at the left.
+const WORD: u16 = 12;
+
+fn content(model: &Model, width: u16) -> Vec<Entry> {
+    let room = width.saturating_sub(WORD + 1).max(10);
+    let preset = &model.preset;
+    let mut lines = Vec::new();
+    let mut add = |word: &str, text: &str| {
+        for (k, text) in wrapped(text, room).into_iter().enumerate() {
+            lines.push((
+                if k == 0 {
+                    word.to_owned()
+                } else {
+                    String::new()
+                },
+                text,
+            ));
+        }
+    };
+    add(&preset.name, &preset.caption);
+    add("look for", &preset.look_for);
+    add("try next", &preset.try_next);
+    add("", "");
+    for (keys, what) in BINDINGS.iter().filter_map(|binding| binding.help) {
+        add(keys, what);
+    }
+    add("", "");
+    for (term, what) in TERMS {
+        add(term, what);
+    }
+    lines
+}
