@@ -27,9 +27,9 @@ fn flight(alpha: f64, phase: f64) -> f64 {
     for _ in 0..80 {
         let middle = 0.5 * (low + high);
         if height(middle) > 0.0 {
-            low = middle
+            low = middle;
         } else {
-            high = middle
+            high = middle;
         }
     }
     0.5 * (low + high)

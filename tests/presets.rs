@@ -1,27 +1,14 @@
 //! Presets: the embedded ones, and what a file of one's own is told.
 
+#[path = "support/program.rs"]
+mod program;
+
 use beadlab::scene::preset::embedded;
 use beadlab::scene::{Floor, Method, MethodName, Preset, Start};
 use std::fs;
 use std::path::PathBuf;
-use std::process::{Command, Output};
 
-fn beadlab(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_beadlab"))
-        .args(arguments)
-        .output()
-        .expect("it starts")
-}
-
-fn printed(arguments: &[&str]) -> String {
-    let output = beadlab(arguments);
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    String::from_utf8(output.stdout).expect("UTF-8")
-}
+use program::{beadlab, printed};
 
 fn load(name: &str) -> Preset {
     Preset::load(name).unwrap_or_else(|error| panic!("{error}"))
@@ -262,6 +249,7 @@ fn a_file_may_leave_out_what_has_a_default() {
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
 fn a_bad_file_is_told_line_column_key_and_value() {
     // What stands in the good scene, what replaces it, and the error that follows.
     for (from, to, error) in [

@@ -95,3 +95,105 @@ pub fn rebound(facts: Facts) -> (f64, f64) {
         last.relative / last.kinetic,
     )
 }
+
+/// Both fixed-step integrators.
+pub const INTEGRATORS: [Integrator; 2] = [Integrator::Gear, Integrator::Verlet];
+
+/// Soft contacts.
+pub fn soft(integrator: Integrator, contact_time: f64, steps_per_contact: f64) -> Method {
+    Method::Md {
+        contact_time,
+        integrator,
+        steps_per_contact,
+        attraction: true,
+    }
+}
+
+/// The engine of these facts, advanced to `until`.
+pub fn run(facts: Facts, until: f64) -> Box<dyn Engine> {
+    let mut engine = engine(facts);
+    engine.advance(until, u64::MAX).expect("a sound run");
+    engine
+}
+
+/// Every kind of scene that hard spheres have.
+pub fn hard_scenes() -> Vec<(&'static str, Facts)> {
+    let dropped = Facts {
+        gravity: Some(G),
+        duration: Some(1.0),
+        restitution: 0.8,
+        start: Start::Separated {
+            s0: 1e-3,
+            jitter: true,
+            v0: 0.0,
+        },
+        ..fig1(ED, 0.0)
+    };
+    let tc = Method::Ed {
+        rule: CollisionRule::Tc { contact_time: 1e-5 },
+    };
+    vec![
+        ("floor collision", fig1(ED, 1e-6)),
+        ("touching", fig1(ED, 0.0)),
+        (
+            "unequal beads",
+            Facts {
+                width: 5e-4,
+                ..fig1(ED, 1e-6)
+            },
+        ),
+        (
+            "collapse",
+            Facts {
+                n: 60,
+                restitution: 0.5,
+                ..fig1(ED, 1e-5)
+            },
+        ),
+        ("dropped", dropped.clone()),
+        (
+            "dropped, unequal",
+            Facts {
+                width: 1e-3,
+                ..dropped.clone()
+            },
+        ),
+        (
+            "dropped, TC",
+            Facts {
+                method: tc,
+                ..dropped
+            },
+        ),
+        ("shaken", shaken(ED, 2.0)),
+        (
+            "shaken, unequal",
+            Facts {
+                width: 1e-3,
+                ..shaken(ED, 2.0)
+            },
+        ),
+        ("shaken, TC", shaken(tc, 2.0)),
+        (
+            "shaken hard",
+            Facts {
+                restitution: 0.92,
+                ..shaken(ED, 20.0)
+            },
+        ),
+        (
+            "shaken to pieces",
+            Facts {
+                restitution: 0.97,
+                ..shaken(ED, 1000.0)
+            },
+        ),
+        (
+            "elastic",
+            Facts {
+                restitution: 1.0,
+                ..shaken(ED, 3.0)
+            },
+        ),
+    ]
+}
