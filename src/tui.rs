@@ -97,6 +97,7 @@ pub fn run(
             wires: &wires,
             link: &mut link,
             stage,
+            pending: std::collections::VecDeque::new(),
         }
         .run()
     });

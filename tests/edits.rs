@@ -153,3 +153,24 @@ fn a_change_of_method_resolves_overlaps() {
         .expect("a sound run");
     assert!(look(&*soft).energy.kinetic.is_finite());
 }
+
+#[test]
+fn splitting_just_before_an_event_changes_no_bit() {
+    let scene = Scene::new(shaken(ED, 2.0)).expect("a valid scene");
+    for k in 1..40 {
+        // After an edit times are sums, which round.
+        let edited = run(shaken(ED, 2.0), 0.003_7 * f64::from(k)).state();
+        let mut whole = build(&scene, Some(&edited)).0;
+        let mut split = build(&scene, Some(&edited)).0;
+        let until = whole.time() + 0.1;
+        whole.advance(until, u64::MAX).expect("a sound run");
+        while let Some(next) = split.next_event().filter(|next| *next <= until) {
+            split
+                .advance(next.next_down(), u64::MAX)
+                .expect("a sound run");
+            split.advance(next, u64::MAX).expect("a sound run");
+        }
+        split.advance(until, u64::MAX).expect("a sound run");
+        assert_eq!(split.state(), whole.state(), "edit {k}");
+    }
+}

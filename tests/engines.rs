@@ -249,3 +249,38 @@ fn soft_and_hard_agree_where_sigma_is_large() {
     let soft = rebound(facts(md(Integrator::Gear, 500.0))).0;
     assert!((hard - soft).abs() < 1e-3, "{hard} {soft}");
 }
+
+#[test]
+fn overdamped_pairs_do_not_keep_a_collision_from_ending() {
+    // Heavy pairs share K and D_n with the mean one and creep together for ever.
+    let facts = Facts {
+        restitution: 0.01,
+        width: 5e-4,
+        ..fig1(md(Integrator::Gear, 200.0), 1e-6)
+    };
+    let (_, end) = collide(facts);
+    assert!(
+        end.contacts.iter().any(|&closed| closed),
+        "the case is here for these"
+    );
+    assert!(end.energy.elastic <= 1e-12 * end.energy.kinetic);
+}
+
+#[test]
+fn a_column_that_is_put_down_gently_is_no_failure() {
+    // It has no energy at all at first, against which to measure an error.
+    let start = Start::Separated {
+        s0: 0.0,
+        jitter: false,
+        v0: 0.0,
+    };
+    let facts = Facts {
+        start,
+        gravity: Some(G),
+        duration: Some(1.0),
+        ..fig1(soft(Integrator::Gear, 1e-4, 100.0), 0.0)
+    };
+    // It settles into its overlaps: ten beads no faster than g N t_c.
+    let most = 10.0 * 0.5 * (G * 10.0 * 1e-4_f64).powi(2);
+    assert!(look(&*run(facts, 0.1)).energy.kinetic < most);
+}

@@ -4,8 +4,8 @@ mod support;
 
 use std::f64::consts::{PI, TAU};
 
-use beadlab::physics::Engine;
-use beadlab::scene::{Facts, FloorContact, Start};
+use beadlab::physics::{Engine, Outcome};
+use beadlab::scene::{Facts, Floor, FloorContact, Start, angular};
 use support::{ED, G, engine, look, shaken};
 
 const FREQUENCY: f64 = 20.0;
@@ -187,5 +187,27 @@ fn below_alpha_1_nothing_ever_takes_off() {
         let seen = look(&*engine);
         assert!(seen.contacts.iter().all(|&closed| closed) && seen.events == 0);
         assert!(seen.reduced.iter().all(|z| *z == seen.floor));
+    }
+}
+
+#[test]
+fn just_above_alpha_1_time_goes_on() {
+    // The plate falls away for less than a rounding: take-off and rest must not alternate
+    // for ever at one instant.
+    let just_above = [0.0, 4e-16, 1e-15, 1e-13, 1e-11, 1e-10, 2e-9, 1e-7, 1e-4];
+    for frequency in (1..=200).map(f64::from) {
+        for excess in just_above {
+            let mut facts = ball(1.0 + excess);
+            let amplitude = (1.0 + excess) * G / angular(frequency).powi(2);
+            facts.floor = Floor::Vibrating {
+                amplitude,
+                frequency,
+            };
+            let mut engine = engine(facts);
+            let outcome = engine.advance(5.0 / frequency, 1000).expect("a sound run");
+            assert_eq!(outcome, Outcome::Reached, "{frequency} Hz, 1 + {excess}");
+            let seen = look(&*engine);
+            assert!((seen.reduced[0] - seen.floor).abs() < 1e-3 * amplitude);
+        }
     }
 }

@@ -16,6 +16,8 @@ use crate::scene::Scene;
 const SLICE: Duration = Duration::from_millis(4);
 /// How often they are moved while they keep up.
 const TICK: Duration = Duration::from_millis(8);
+/// And at most this long apart, however long they take to make.
+const RAREST: Duration = Duration::from_millis(500);
 /// Frames are not published more often than this.
 const FRAME: Duration = Duration::from_millis(15);
 /// Samples of one slice; when the sweep is so fast that there were more, some are skipped.
@@ -301,6 +303,6 @@ impl Worker {
             achieved: self.clock.achieved(),
         });
         // Large columns take long to look at: they shall move for most of the time.
-        self.next_frame = started + FRAME.max(4 * started.elapsed());
+        self.next_frame = started + (4 * started.elapsed()).clamp(FRAME, RAREST);
     }
 }

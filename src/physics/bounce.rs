@@ -1,9 +1,11 @@
-//! ε_eff of the bounces of the whole column off its floor.
+//! The bounces of the whole column off its floor: ε_eff, and how dense it lands.
+
+use std::collections::VecDeque;
 
 /// The bounce now and the last one. Energies in the floor's frame, the centre of
 /// mass's part apart from E_r: after take-off the first is taken as it was when the
 /// floor let go (gravity changes it later), the second goes on being lost in flight.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Bounce {
     arriving: Option<f64>,
     leaving: Option<(f64, f64)>,
@@ -11,29 +13,54 @@ pub(crate) struct Bounce {
     landings: Landings,
 }
 
-/// Landings that are remembered: a shaken column is dense in one of a few.
-const REMEMBERED: usize = 6;
+/// Plate periods for which a landing is remembered: dense and loose ones alternate over
+/// a few.
+const MEMORY: f64 = 10.0;
+/// Landings remembered at most.
+const MOST: usize = 64;
 
-/// The last landings, newest last: mean separation over speed, s.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Landings([f64; REMEMBERED]);
-
-impl Default for Landings {
-    fn default() -> Self {
-        Self([f64::INFINITY; REMEMBERED])
-    }
+/// The last landings: when, and mean separation over speed, s. Of those that a denser
+/// one has followed none is kept, so the first is the densest.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Landings {
+    last: Option<f64>,
+    densest: VecDeque<(f64, f64)>,
 }
 
 impl Landings {
-    fn add(&mut self, crossing: f64) {
-        self.0.rotate_left(1);
-        self.0[REMEMBERED - 1] = crossing;
+    fn add(&mut self, time: f64, crossing: f64) {
+        self.last = Some(crossing);
+        while self
+            .densest
+            .back()
+            .is_some_and(|&(_, denser)| denser >= crossing)
+        {
+            self.densest.pop_back();
+        }
+        if self.densest.len() < MOST {
+            self.densest.push_back((time, crossing));
+        }
+    }
+
+    fn densest_since(&self, time: f64) -> Option<f64> {
+        let recent = self.densest.iter().find(|&&(when, _)| when >= time);
+        recent.map(|&(_, crossing)| crossing)
+    }
+
+    fn forget_before(&mut self, time: f64) {
+        while self.densest.front().is_some_and(|&(when, _)| when < time) {
+            self.densest.pop_front();
+        }
     }
 }
 
 /// The column as it arrives at its floor, in the floor's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Arrival {
+    /// When, s.
+    pub time: f64,
+    /// Period of the plate, s; infinite for a fixed floor.
+    pub period: f64,
     /// ½M u|u| of the centre of mass's velocity u.
     pub translation: f64,
     /// E_r.
@@ -54,7 +81,9 @@ impl Bounce {
         }
         self.arriving = Some(arrival.relative - arrival.translation);
         if let Some(crossing) = arrival.crossing {
-            self.landings.add(crossing);
+            self.landings
+                .forget_before(arrival.time - MEMORY * arrival.period);
+            self.landings.add(arrival.time, crossing);
         }
     }
 
@@ -79,14 +108,12 @@ impl Bounce {
 
     /// Mean separation over speed when the column last arrived, s.
     pub fn crossing(&self) -> Option<f64> {
-        let last = self.landings.0[REMEMBERED - 1];
-        last.is_finite().then_some(last)
+        self.landings.last
     }
 
-    /// The smallest of the last few.
-    pub fn densest(&self) -> Option<f64> {
-        let least = self.landings.0.into_iter().fold(f64::INFINITY, f64::min);
-        least.is_finite().then_some(least)
+    /// The smallest of the last ten plate periods (fixed floor: since the start).
+    pub fn densest(&self, time: f64, period: f64) -> Option<f64> {
+        self.landings.densest_since(time - MEMORY * period)
     }
 
     /// √(E_f/E_0) of the last bounce, E_r being `relative` now.
@@ -102,8 +129,10 @@ impl Bounce {
 mod tests {
     use super::*;
 
-    fn arrival(translation: f64, crossing: f64) -> Arrival {
+    fn arrival(time: f64, translation: f64, crossing: f64) -> Arrival {
         Arrival {
+            time,
+            period: 1.0,
             translation,
             relative: 0.0,
             crossing: Some(crossing),
@@ -113,18 +142,19 @@ mod tests {
     #[test]
     fn a_bead_that_comes_back_belongs_to_the_same_bounce() {
         let mut bounce = Bounce::default();
-        bounce.begin(arrival(-1.0, 0.5));
+        bounce.begin(arrival(0.0, -1.0, 0.5));
         bounce.end(0.5);
-        bounce.begin(arrival(0.5, 0.1));
+        bounce.begin(arrival(0.1, 0.5, 0.1));
         bounce.end(0.25);
         assert_eq!(bounce.restitution(0.0), Some(0.5));
         assert_eq!(bounce.crossing(), Some(0.5));
-        bounce.begin(arrival(-2.0, 3.0));
+        bounce.begin(arrival(1.0, -2.0, 3.0));
         bounce.rest();
         assert_eq!(bounce.restitution(0.0), Some(0.0));
-        assert_eq!(
-            (bounce.crossing(), bounce.densest()),
-            (Some(3.0), Some(0.5))
-        );
+        assert_eq!(bounce.crossing(), Some(3.0));
+        // The denser landing counts for ten periods, then the later one, then none.
+        for (time, densest) in [(9.9, Some(0.5)), (10.5, Some(3.0)), (11.5, None)] {
+            assert_eq!(bounce.densest(time, 1.0), densest, "at {time}");
+        }
     }
 }

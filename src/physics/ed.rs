@@ -327,13 +327,15 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
     }
 
     fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
-        let last = self.state.books.events.saturating_add(budget);
         let n = self.gaps.len();
+        let (collisions, mut others) = (self.state.books.events, 0);
         loop {
             let (i, t) = self.queue.first();
             // As `next_event` says it, so that advancing to there includes the event.
             if self.absolute(t) > until || t.is_infinite() {
-                self.now = self.now.max((until - self.origin) - self.epoch());
+                // Not past the next event, which rounding could do.
+                let end = ((until - self.origin) - self.epoch()).min(t);
+                self.now = self.now.max(end);
                 self.look_whether_over();
                 return Ok(if self.over {
                     Outcome::Over
@@ -341,9 +343,11 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
                     Outcome::Reached
                 });
             }
-            if self.state.books.events >= last {
+            // Take-offs and landings without a collision count too: nothing escapes.
+            if self.state.books.events - collisions + others >= budget {
                 return Ok(Outcome::OutOfBudget);
             }
+            others += 1;
             self.now = self.now.max(t);
             match i.cmp(&n) {
                 std::cmp::Ordering::Less => self.collide_at(i, self.now)?,

@@ -62,10 +62,12 @@ impl Ledger {
         self.scale = self.scale.max(stored_size(energy));
     }
 
-    /// Whether the error exceeds all the energy that there ever was: such a run has
-    /// left physics behind. So has one whose energy is not a number.
-    pub fn is_broken(&self, energy: &Energy) -> bool {
-        let within = self.error(energy).abs() <= self.scale + energy.plate_work.abs();
+    /// Whether the error exceeds all the energy that there ever was, `least` being a
+    /// scale for columns that start without any: such a run has left physics behind.
+    /// So has one whose energy is not a number.
+    pub fn is_broken(&self, energy: &Energy, least: f64) -> bool {
+        let scale = self.scale.max(least) + energy.plate_work.abs();
+        let within = self.error(energy).abs() <= scale;
         !within
     }
 

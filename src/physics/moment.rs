@@ -76,6 +76,8 @@ impl Moment<'_> {
         let between = &self.gaps[1..];
         let separation = between.iter().map(|g| g.max(0.0)).sum::<f64>() / between.len() as f64;
         Arrival {
+            time: self.time,
+            period: self.plate.period(),
             translation: 0.5 * mass * centre * centre.abs(),
             relative: self.relative(centre + self.plate.velocity()),
             crossing: (!between.is_empty() && centre != 0.0).then(|| separation / centre.abs()),
@@ -107,7 +109,7 @@ impl Moment<'_> {
         into.free_flight = books.contacts.free_flight(self.time);
         into.bounce = books.bounce.restitution(into.energy.relative);
         into.crossing = books.bounce.crossing();
-        into.densest = books.bounce.densest();
+        into.densest = books.bounce.densest(self.time, self.plate.period());
         (into.floor_touched, into.floor_left) = books.contacts.floor();
         into.steps = books.steps;
         into.events = books.events;

@@ -51,7 +51,8 @@ pub struct Observation {
     /// speed, s. Divided by t_c it is the σ of that landing, as σ₀ = s₀/(|v₀| t_c) is
     /// of a launched column. None for a single bead.
     pub crossing: Option<f64>,
-    /// The smallest of that over the last six landings, s.
+    /// The smallest of that over the landings of the last ten plate periods (fixed
+    /// floor: since the start), s.
     pub densest: Option<f64>,
     /// When bead 1 first touched the floor, s.
     pub floor_touched: Option<f64>,

@@ -50,6 +50,11 @@ impl Plate {
         Self { phase, ..self }
     }
 
+    /// Period, s; infinite for a fixed floor.
+    pub fn period(&self) -> f64 {
+        std::f64::consts::TAU / self.omega
+    }
+
     /// Height z₀, m.
     pub fn position(&self) -> f64 {
         self.centre + self.amplitude * self.phase.sin()

@@ -106,8 +106,8 @@ impl State {
         state
     }
 
-    /// The same state under the facts of another scene of as many beads: positions
-    /// and velocities of beads and plate stay, overlaps are made to fit the method.
+    /// The same state under the facts of another scene of as many beads: velocities of
+    /// the beads and the plate's place and phase stay, overlaps are made to fit the law.
     pub(crate) fn adopt(&self, scene: &Scene) -> (Self, Handover) {
         assert_eq!(
             self.gaps.len(),
@@ -126,8 +126,9 @@ impl State {
             Some(contact_time) => {
                 let new = springs(scene, &masses(scene), contact_time);
                 for ((g, old), new) in state.gaps.iter_mut().zip(&self.springs).zip(&new) {
-                    // Stiffer contacts keep their force, softer ones their overlap: a
-                    // resting column stays at rest and no edit stores up energy.
+                    // Stiffer contacts keep their force, softer ones their overlap: no
+                    // edit stores up energy. A column at rest stays so under the former
+                    // and settles a little deeper under the latter.
                     if *g < 0.0 {
                         *g *= (old.stiffness / new.stiffness).min(1.0);
                     }

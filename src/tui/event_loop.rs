@@ -1,9 +1,10 @@
 //! The loop of the screen thread. It knows no terminal but a backend, so that
 //! tests run it as it is.
 
-use std::time::Instant;
+use std::collections::VecDeque;
+use std::time::{Duration, Instant};
 
-use crossbeam_channel::{Receiver, after, never, select};
+use crossbeam_channel::{Receiver, TrySendError, after, never, select};
 use crossterm::event::{Event, KeyEventKind};
 use ratatui::Terminal;
 use ratatui::backend::Backend;
@@ -45,6 +46,9 @@ pub enum Ending {
     Signal(i32),
 }
 
+/// How soon to try again to hand over an order.
+const RETRY: Duration = Duration::from_millis(20);
+
 /// What woke the loop.
 enum Wake {
     Input(Event),
@@ -67,6 +71,8 @@ pub struct EventLoop<'a, B: Backend> {
     pub link: &'a mut Link,
     /// The real terminal's manners.
     pub stage: &'a mut dyn Stage,
+    /// Orders that the simulation thread has no room for yet.
+    pub pending: VecDeque<Order>,
 }
 
 impl<B: Backend> EventLoop<'_, B> {
@@ -108,6 +114,7 @@ impl<B: Backend> EventLoop<'_, B> {
             if self.carry_out(command)? {
                 return Ok(Ending::Quit);
             }
+            self.hand_over();
         }
     }
 
@@ -115,14 +122,12 @@ impl<B: Backend> EventLoop<'_, B> {
     /// until then they give way to newer ones.
     fn wait(&self, frames_open: bool) -> Wake {
         let pause = self.link.next().saturating_duration_since(Instant::now());
-        let (timer, no_frames) = (
-            if pause.is_zero() {
-                never()
-            } else {
-                after(pause)
-            },
-            never(),
-        );
+        let timer = match (pause.is_zero(), self.pending.is_empty()) {
+            (true, true) => never(),
+            (false, true) => after(pause),
+            (_, false) => after(RETRY),
+        };
+        let no_frames = never();
         let frames = if pause.is_zero() && frames_open {
             &self.wires.live.frames
         } else {
@@ -162,10 +167,26 @@ impl<B: Backend> EventLoop<'_, B> {
         Ok(false)
     }
 
-    /// Orders are never dropped: this waits while the simulation thread has too many.
+    /// Orders are never dropped, and never waited for either: one engine call may take
+    /// long, and the keys must go on to work.
     fn send(&mut self, order: Order) {
-        if self.wires.live.orders.send(order).is_err() {
-            update(self.model, Msg::SimulationEnded, Instant::now());
+        self.model.orders += 1;
+        self.pending.push_back(order);
+    }
+
+    fn hand_over(&mut self) {
+        while let Some(order) = self.pending.pop_front() {
+            match self.wires.live.orders.try_send(order) {
+                Ok(()) => {}
+                Err(TrySendError::Full(order)) => {
+                    self.pending.push_front(order);
+                    return;
+                }
+                Err(TrySendError::Disconnected(_)) => {
+                    self.pending.clear();
+                    update(self.model, Msg::SimulationEnded, Instant::now());
+                }
+            }
         }
     }
 

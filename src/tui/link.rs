@@ -15,8 +15,11 @@ use std::time::{Duration, Instant};
 
 /// The shortest time between two frames.
 const FRAME: Duration = Duration::from_millis(33);
-/// A write that takes longer has waited for the link.
-const BLOCKED: Duration = Duration::from_millis(20);
+/// Two writes in turn that take longer have waited for the link; one alone may be the
+/// machine doing something else.
+const BLOCKED: Duration = Duration::from_millis(50);
+/// A single write that takes longer has.
+const STUCK: Duration = Duration::from_millis(500);
 /// The part of a slow link's rate that is used.
 const SHARE: f64 = 0.8;
 /// A slow link may have this much of the future in its queue, s.
@@ -60,6 +63,7 @@ impl<W: Write> Write for Metered<W> {
 pub struct Link {
     bytes: Arc<AtomicU64>,
     told: u64,
+    took: Duration,
     written: VecDeque<(Instant, f64)>,
     /// When a write last found the queue full, and the bytes written until then.
     full: Option<(Instant, f64)>,
@@ -76,6 +80,7 @@ impl Link {
         let link = Link {
             bytes: Arc::clone(&bytes),
             told: 0,
+            took: Duration::ZERO,
             written: VecDeque::new(),
             full: None,
             rate: None,
@@ -132,7 +137,8 @@ impl Link {
         {
             self.written.pop_front();
         }
-        if took > BLOCKED {
+        let before = std::mem::replace(&mut self.took, took);
+        if took > STUCK || took.min(before) > BLOCKED {
             let lately = self.passed_lately(end);
             let cycle = self.passed_since_full(end);
             let rate = cycle.map_or(lately, |cycle| cycle.min(lately)).max(SLOWEST);

@@ -46,8 +46,14 @@ pub struct Glimpse {
     pub time: f64,
     /// Simulated seconds in a second, reached lately.
     pub achieved: Option<f64>,
+    /// How often this was looked at.
+    pub looks: u64,
     taken: Option<Instant>,
 }
+
+/// The row of the parameter panel selected at first: the restitution, which every scene
+/// has and which changes without a restart.
+const FIRST_ROW: usize = 1;
 
 /// Everything that the screen shows.
 #[derive(Debug)]
@@ -60,6 +66,8 @@ pub struct Model {
     pub speed: Speed,
     /// Whether simulated time stands still.
     pub paused: bool,
+    /// How many orders the simulation thread was given.
+    pub orders: u64,
     /// Whether it stands still by itself, the page being full.
     pub held: bool,
     /// The traces.
@@ -104,10 +112,11 @@ impl Model {
             bench,
             speed,
             paused: false,
+            orders: 0,
             held: false,
             numbers: Glimpse::default(),
             column: Glimpse::default(),
-            selected: 0,
+            selected: FIRST_ROW,
             overlay: Overlay::None,
             message: None,
             theme,
@@ -140,7 +149,7 @@ impl Model {
     pub(super) fn load(&mut self, preset: Preset) -> Result<Order, String> {
         self.bench = Bench::new(&preset)?;
         self.preset = preset;
-        self.selected = 0;
+        self.selected = FIRST_ROW;
         let span = sweep(self.bench.scenes(), self.size, 0.0).span;
         self.speed = pace::first_speed(self.bench.scenes(), span);
         Ok(self.start(true))
@@ -153,7 +162,10 @@ impl Model {
             return None;
         }
         let still = frame.paused;
-        (self.paused, self.held) = (frame.paused, frame.held);
+        // A frame from before the last order would take that order back on the screen.
+        if frame.orders >= self.orders {
+            (self.paused, self.held) = (frame.paused, frame.held);
+        }
         let history = std::mem::replace(&mut frame.history, History::new(1));
         let turned = self.page.take(frame.time, history);
         if !frame.notes.is_empty() {
@@ -264,6 +276,7 @@ impl Glimpse {
             self.time = frame.time;
             self.achieved = frame.achieved;
             self.taken = Some(now);
+            self.looks += 1;
         }
     }
 }

@@ -207,10 +207,15 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             model.held = false;
             Some(Command::Order(Order::Run(!model.paused)))
         }
-        Action::StepFrame => Some(Command::Order(Order::Step(
-            model.speed.factor() * STEP_SECONDS,
-        ))),
-        Action::StepEvent => Some(Command::Order(Order::NextEvent)),
+        Action::StepFrame => {
+            model.paused = true;
+            let step = model.speed.factor() * STEP_SECONDS;
+            Some(Command::Order(Order::Step(step)))
+        }
+        Action::StepEvent => {
+            model.paused = true;
+            Some(Command::Order(Order::NextEvent))
+        }
         Action::Restart => {
             let running = !model.paused || model.held;
             Some(Command::Order(model.start(running)))

@@ -87,6 +87,7 @@ pub fn play(
         wires: &wires,
         link: &mut link,
         stage: &mut NoStage,
+        pending: std::collections::VecDeque::new(),
     }
     .run()
     .expect("a screen in memory can be drawn to");

@@ -84,7 +84,7 @@ impl Drive {
 }
 
 /// A time in which a column that hits a floor changes, s.
-fn natural_time(scene: &Scene) -> f64 {
+pub fn natural_time(scene: &Scene) -> f64 {
     let contact = scene.contact_time().unwrap_or(0.0);
     match scene.start {
         Start::Separated { s0, v0, .. } if v0 != 0.0 => {

@@ -1,6 +1,6 @@
 //! The motion of a run as CSV: a row at every multiple of an interval.
 
-use super::drive::Drive;
+use super::drive::{Drive, natural_time};
 use super::output::Output;
 use crate::commands::Failure;
 use crate::physics::Observation;
@@ -17,15 +17,16 @@ const PATIENCE: Duration = Duration::from_millis(200);
 
 /// Refuses an interval that makes absurdly many rows.
 pub(super) fn check(scene: &Scene, every: f64) -> Result<(), Failure> {
-    match scene.duration {
-        Some(duration) if duration / every > MOST_ROWS => Err(Failure::BadInput(format!(
-            "--every {}: makes {:.0e} rows in {} s, more than {MOST_ROWS:e}",
-            Value::Number(every),
-            duration / every,
-            Value::Number(duration)
-        ))),
-        _ => Ok(()),
+    let time = scene.duration.unwrap_or_else(|| natural_time(scene));
+    if time / every <= MOST_ROWS {
+        return Ok(());
     }
+    Err(Failure::BadInput(format!(
+        "--every {}: makes {:.0e} rows in {} s, more than {MOST_ROWS:e}",
+        Value::Number(every),
+        time / every,
+        Value::Number(time)
+    )))
 }
 
 /// Why rows come to an end before the run does.
@@ -78,7 +79,7 @@ fn rows(
 ) -> Result<(), Stop> {
     let end = scene.duration.unwrap_or(f64::INFINITY);
     // A last row that rounding would lose is wanted.
-    let most = (end / every * (1.0 + 1e-12)).floor().min(MOST_ROWS);
+    let most = (end / every * (1.0 + 1e-12)).floor();
     let mut now = Observation::default();
     let mut flushed = Instant::now();
     let mut row = 0.0;
@@ -94,6 +95,12 @@ fn rows(
         let over = scene.gravity.is_none() && drive.is_over();
         if over || row > most {
             break;
+        }
+        if row > MOST_ROWS {
+            let time = drive.time();
+            return Err(Stop::Run(Failure::Failed(format!(
+                "{MOST_ROWS:e} rows are written and the collision is not over at {time:e} s"
+            ))));
         }
         drive.advance(end.min(row * every))?;
     }

@@ -263,6 +263,12 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 (false, false) => contacts.note(j, false, time),
             }
         }
+        // The next gaps on either side were flights, or touched once and part now.
+        for j in [low.checked_sub(1), Some(high + 1)].into_iter().flatten() {
+            if j < self.gaps.len() && self.gaps[j].w != 0.0 {
+                self.state.books.contacts.note(j, false, time);
+            }
+        }
         let floor_hit = low == 0 && (floor_was_closed || self.collided[0] == self.cascades);
         if floor_hit && !self.state.books.contacts.closed()[0] {
             let arrival = self.arrival(t);

@@ -135,6 +135,10 @@ fn first_root(g: f64, w: f64, a: f64) -> f64 {
     }
 }
 
+/// α below which nothing takes off. Just above 1 the plate falls away for so short a
+/// time that the lift is below rounding, and a bead would take off and rest for ever.
+const BARELY: f64 = 1.0 + 1e-9;
+
 /// A vibrating plate under gravity.
 pub(crate) struct Shaken {
     gravity: f64,
@@ -208,7 +212,7 @@ fn beyond_taylor(x: f64) -> (f64, f64) {
 impl Shaken {
     pub fn new(gravity: f64, plate: Plate) -> Self {
         let shake = plate.amplitude * plate.omega * plate.omega;
-        let take_off = (shake > gravity).then(|| (gravity / shake).asin());
+        let take_off = (shake > gravity * BARELY).then(|| (gravity / shake).asin());
         let tick = power_of_two(TAU / plate.omega);
         Self {
             gravity,
@@ -303,7 +307,13 @@ impl Ground for Shaken {
     }
 
     fn pressing(&self, t: f64) -> f64 {
-        self.gravity - self.shake * self.phase(t).sin()
+        let pressing = self.gravity - self.shake * self.phase(t).sin();
+        // Where nothing takes off, something presses, if only by a rounding.
+        if self.take_off.is_some() {
+            pressing
+        } else {
+            pressing.max(f64::MIN_POSITIVE)
+        }
     }
 
     fn take_off(&self, t: f64) -> f64 {

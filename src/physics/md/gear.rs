@@ -163,7 +163,7 @@ impl Stepper for Gear {
     fn clear(&mut self) {
         self.lost.fill(0.0);
         self.plate_power = 0.0;
-        for row in &mut self.r[1..] {
+        for row in &mut self.r {
             flush(row);
         }
     }

@@ -117,6 +117,7 @@ impl Stepper for Verlet {
     fn clear(&mut self) {
         self.lost.fill(0.0);
         self.plate_power = 0.0;
+        flush(&mut self.gaps);
         flush(&mut self.rates);
         flush(&mut self.accelerations);
     }

@@ -12,8 +12,9 @@ pub struct Bench {
     scenes: Vec<Scene>,
     original: Vec<Scene>,
     undo: Vec<Vec<Scene>>,
-    /// Which of two scenes is the preset's own.
+    /// Which of two scenes is the preset's own, now and in the preset.
     own: usize,
+    first_own: usize,
     /// The soft-contact method last in force, to come back to.
     soft: Option<Method>,
     /// The hard-sphere method last in force.
@@ -51,6 +52,7 @@ impl Bench {
             scenes,
             undo: Vec::new(),
             own,
+            first_own: own,
             soft: None,
             hard: None,
         };
@@ -152,6 +154,7 @@ impl Bench {
             return None;
         }
         let original = self.original.clone();
+        self.own = self.first_own;
         Some(self.put(original))
     }
 

@@ -117,7 +117,7 @@ fn collision(scenes: &[Scene]) -> f64 {
         let (s0, v0) = separated(scene);
         let beads = scene.n as f64;
         let arrival = if v0 < 0.0 { beads * s0 / -v0 } else { 0.0 };
-        2.2 * arrival + 2.5 * (beads + 1.0) * contact_time
+        4.0 * arrival + 2.5 * (beads + 1.0) * contact_time
     };
     let contact_time = scenes
         .iter()

@@ -4,9 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{Line, columns, fitted, line};
+use super::text::{Line, columns, fitted, line, wrapped};
 use crate::tui::keys::{BINDINGS, Hint};
 use crate::tui::model::{Model, Overlay, Prompt};
+
+/// Looks at the numbers, five a second, for which a line of a longer text stays.
+const LOOKS_A_LINE: u64 = 25;
 
 /// Draws the line of the moment: a prompt, a message, a hint, or, where it stands
 /// nowhere else, what to look for.
@@ -38,8 +41,13 @@ pub fn render_message(model: &Model, look_for: bool, area: Rect, buffer: &mut Bu
         }
         _ if !look_for => {}
         _ => {
+            // Line after line where all of it has no room.
             let text = format!("look for: {}", model.preset.look_for);
-            start.put(&fitted(&theme.text(&text), room), theme.quiet());
+            let lines = wrapped(&theme.text(&text), room);
+            let turn = usize::try_from(model.numbers.looks / LOOKS_A_LINE).unwrap_or(0);
+            if let Some(line) = lines.get(turn % lines.len().max(1)) {
+                start.put(line, theme.quiet());
+            }
         }
     }
 }

@@ -30,7 +30,7 @@ const TERMS: &[(&str, &str)] = &[
     ),
     (
         "σ landing",
-        "mean separation of the beads over their speed as they arrive at the floor, in contact times. The lowest of the last six landings decides the regime.",
+        "mean separation of the beads over their speed as they arrive at the floor, in contact times. The lowest of the last ten plate periods decides the regime.",
     ),
     (
         "σ",

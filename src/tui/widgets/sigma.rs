@@ -45,7 +45,7 @@ impl Regime {
             Regime::Crossover => ["crossover: MD and ED", "begin to differ"],
             Regime::Agreement => ["MD and ED agree", ""],
             Regime::Hard => ["hard spheres: no", "contact time"],
-            Regime::Unknown => ["no flight yet", ""],
+            Regime::Unknown => ["no landing yet", ""],
         }
     }
 
@@ -102,7 +102,9 @@ fn lines(model: &Model) -> Vec<Pieces> {
         .iter()
         .map(|side| model.sigma(side))
         .collect();
-    let regime = Regime::of(densest.or(nominal).or(means.first().copied().flatten()));
+    // A single ball has no separations, only flights.
+    let alone = means.first().copied().flatten().filter(|_| scene.n == 1);
+    let regime = Regime::of(densest.or(nominal).or(alone));
     let mut lines: Vec<Pieces> = Vec::new();
     match (landing, nominal) {
         (Some(_), _) => lines.push(quantity(None, "σ landing ", landing)),
@@ -110,23 +112,20 @@ fn lines(model: &Model) -> Vec<Pieces> {
         (None, None) => {}
     }
     if scene.period().is_some() && landing.is_some_and(f64::is_finite) {
-        lines.push(quantity(None, " lowest of 6 ", densest));
+        lines.push(quantity(None, " lowest ", densest));
     }
     let words = regime.words().into_iter().filter(|words| !words.is_empty());
     lines.extend(words.map(|words| vec![(format!(" {words}"), regime.style(theme))]));
-    let borrowed = model.bench.contact_time().is_some();
-    for (index, mean) in means.into_iter().enumerate() {
-        let mut pieces = quantity(Some(index), " σ ", mean);
-        if index == 1 && borrowed {
-            pieces.push((" (MD's t_c)".to_owned(), theme.quiet()));
-        }
-        lines.push(pieces);
-    }
-    let mut bounces = vec![("ε_eff".to_owned(), Style::new())];
     for (index, side) in model.numbers.sides.iter().enumerate() {
-        bounces.push((" ".to_owned(), Style::new()));
-        bounces.extend(quantity(Some(index), " ", side.seen.bounce));
+        lines.push(quantity(Some(index), " ε_eff ", side.seen.bounce));
     }
-    lines.push(bounces);
+    // By the t_c of MD, also of the flights of ED.
+    let mut last = vec![("mean σ".to_owned(), Style::new())];
+    for (index, mean) in means.into_iter().enumerate() {
+        last.push((if index == 0 { " " } else { "/" }.to_owned(), Style::new()));
+        let mean = mean.map_or_else(|| "-".to_owned(), numbers::short);
+        last.push((mean, theme.side(index)));
+    }
+    lines.push(last);
     lines
 }
