@@ -109,13 +109,14 @@ fn exact_values_are_typed_for_the_selected_row_or_by_name() {
         .bench
         .parameters()
         .iter()
-        .position(|p| p.name == "restitution");
-    for _ in 0..row.expect("every scene has one") {
+        .position(|p| p.name == "frequency");
+    for _ in model.selected..row.expect("the plate has one") {
         press(&mut model, KeyCode::Down);
     }
     press(&mut model, KeyCode::Enter);
-    assert!(edited(enter(&mut model, "0.875")));
-    assert_eq!(restitutions(&model), [0.875, 0.875]);
+    assert!(edited(enter(&mut model, "25")));
+    let periods: Vec<_> = model.bench.scenes().iter().map(|s| s.period()).collect();
+    assert_eq!(periods, [Some(0.04), Some(0.04)]);
     assert!(edited(enter(&mut model, ":alpha=3")));
     let alpha = model.bench.scenes()[1].alpha().expect("the plate shakes");
     assert!((alpha - 3.0).abs() < 1e-9);
