@@ -105,7 +105,8 @@ impl Preset {
     }
 
     /// The preset under another method and with other values: one layer over it.
-    /// What stood beside it is then no longer its twin, and is dropped.
+    /// What stood beside it is then no longer its twin, and is dropped; the title says
+    /// that it was changed.
     ///
     /// # Errors
     /// When a value is not allowed, or the scene does not have the parameter.
@@ -125,6 +126,7 @@ impl Preset {
         parameters::complete(&facts)?;
         Ok(Self {
             scene: Scene::new(facts)?,
+            title: format!("{} (changed)", self.title),
             beside: None,
             ..self.clone()
         })
