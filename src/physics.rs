@@ -118,20 +118,3 @@ pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover)
     };
     (engine, handover)
 }
-
-/// The largest part of the kinetic energy that collisions still to come can take, of
-/// free beads with these velocities above a fixed floor.
-fn most_to_lose(velocities: &[f64], masses: &[f64]) -> f64 {
-    let mut last = velocities.to_vec();
-    column::totally_inelastic(&mut last, masses, true);
-    let energy = |v: &[f64]| v.iter().zip(masses).map(|(v, m)| m * v * v).sum::<f64>();
-    // Directly: a difference of energies would hide losses below 10⁻¹⁶ of them.
-    let lost: f64 = velocities
-        .iter()
-        .zip(&last)
-        .zip(masses)
-        .map(|((v, u), m)| m * (v - u) * (v + u))
-        .sum();
-    let now = energy(velocities);
-    if now > 0.0 { lost / now } else { 0.0 }
-}

@@ -11,7 +11,7 @@ mod ground;
 mod rule;
 mod tournament;
 
-use super::column::{masses, reduced_mass, restitutions};
+use super::column::{masses, nothing_to_come, reduced_mass, restitutions};
 use super::ledger::Sum;
 use super::moment::Moment;
 use super::observation::Observation;
@@ -29,8 +29,6 @@ const LRV_THRESHOLD: f64 = 1e-10;
 /// Part of the time √(d/g) that what is left of a bouncing sequence may last for the
 /// contact to count as resting.
 const REST: f64 = 1e-9;
-/// A floor collision is over when what is to come cannot change E by this part of it.
-const OVER: f64 = 1e-12;
 
 /// Builds the engine of an ED scene.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
@@ -164,9 +162,9 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             );
         }
         let (gaps, rates) = self.gaps_and_rates(0.0);
-        let mut energy = self.moment(&gaps, &rates, 0.0).energy();
+        let energy = self.moment(&gaps, &rates, 0.0).energy();
         let error = self.state.ledger_error;
-        self.state.books.ledger.open(&mut energy, error);
+        self.state.books.ledger.open(energy, error);
         for i in 0..self.gaps.len() {
             self.schedule(i);
         }
@@ -308,16 +306,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             return;
         }
         self.check_at = self.state.books.events + self.gaps.len() as u64;
-        let mut v = 0.0;
-        let velocities: Vec<f64> = self
-            .gaps
-            .iter()
-            .map(|gap| {
-                v += gap.w;
-                v
-            })
-            .collect();
-        self.over = never || super::most_to_lose(&velocities, &self.masses) <= OVER;
+        let rates = self.gaps.iter().map(|gap| gap.w);
+        self.over = never || nothing_to_come(rates, &self.masses);
     }
 }
 
@@ -381,13 +371,11 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
         let (gaps, rates) = self.gaps_and_rates(self.now);
         let mut books = self.state.books.clone();
         books.ledger.plate_work = self.work_so_far();
-        let moment = self.moment(&gaps, &rates, self.now);
-        let mut energy = moment.energy();
-        books.ledger.close(&mut energy);
+        let energy = self.moment(&gaps, &rates, self.now).energy();
         State {
             time: self.time(),
             plate: self.ground.plate(self.now),
-            ledger_error: books.ledger.error(&energy),
+            ledger_error: books.ledger.error(energy),
             springs: Vec::new(),
             books,
             gaps,

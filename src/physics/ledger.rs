@@ -40,40 +40,48 @@ pub(crate) struct Ledger {
 }
 
 impl Ledger {
-    /// Fills in `lost`, `plate_work` and `drift` of the energies now.
-    pub fn close(&self, energy: &mut Energy) {
-        energy.lost = self.lost.total();
-        energy.plate_work = self.plate_work.total();
+    /// The energies now, with the ledger's entries and the drift.
+    pub fn closed(&self, stored: Energy) -> Energy {
+        let energy = self.entered(stored);
         let scale = self
             .scale
-            .max(stored_size(energy))
+            .max(stored_size(&energy))
             .max(energy.lost.abs())
             .max(energy.plate_work.abs());
-        let error = sum(energy) - self.balance;
-        energy.drift = if scale > 0.0 { error / scale } else { 0.0 };
+        let error = sum(&energy) - self.balance;
+        Energy {
+            drift: if scale > 0.0 { error / scale } else { 0.0 },
+            ..energy
+        }
     }
 
     /// Opens the ledger on the energies now: at the start, or after an edit, which
     /// may change the stored energy by what it likes but not the error made so far.
-    pub fn open(&mut self, energy: &mut Energy, error_so_far: f64) {
-        energy.lost = self.lost.total();
-        energy.plate_work = self.plate_work.total();
-        self.balance = sum(energy) - error_so_far;
-        self.scale = self.scale.max(stored_size(energy));
+    pub fn open(&mut self, stored: Energy, error_so_far: f64) {
+        self.balance = sum(&self.entered(stored)) - error_so_far;
+        self.scale = self.scale.max(stored_size(&stored));
     }
 
     /// Whether the error exceeds all the energy that there ever was, `least` being a
     /// scale for columns that start without any: such a run has left physics behind.
     /// So has one whose energy is not a number.
-    pub fn is_broken(&self, energy: &Energy, least: f64) -> bool {
-        let scale = self.scale.max(least) + energy.plate_work.abs();
-        let within = self.error(energy).abs() <= scale;
+    pub fn is_broken(&self, stored: Energy, least: f64) -> bool {
+        let scale = self.scale.max(least) + self.plate_work.total().abs();
+        let within = self.error(stored).abs() <= scale;
         !within
     }
 
     /// The error so far, m²/s², of the energies now.
-    pub fn error(&self, energy: &Energy) -> f64 {
-        sum(energy) - self.balance
+    pub fn error(&self, stored: Energy) -> f64 {
+        sum(&self.entered(stored)) - self.balance
+    }
+
+    fn entered(&self, stored: Energy) -> Energy {
+        Energy {
+            lost: self.lost.total(),
+            plate_work: self.plate_work.total(),
+            ..stored
+        }
     }
 }
 

@@ -10,12 +10,12 @@ mod ground;
 mod stepper;
 mod verlet;
 
-use super::column::masses;
+use super::column::{OVER, Spring, masses, nothing_to_come, springs};
 use super::ledger::Ledger;
 use super::moment::Moment;
 use super::observation::Observation;
 use super::state::{Books, State, weight};
-use super::{Engine, EngineError, Outcome, column};
+use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Integrator, Method, Scene};
 use chain::{Chain, Equal, Unequal};
 use gear::Gear;
@@ -29,8 +29,6 @@ const HOUSEKEEPING: u64 = 32;
 const INSPECTION: u64 = 1024;
 /// Steps that a time can count, 2^53.
 const MOST_STEPS: f64 = 9_007_199_254_740_992.0;
-/// A floor collision is over when what is to come cannot change E by this part of it.
-const OVER: f64 = 1e-12;
 
 /// Builds the engine of an MD scene.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
@@ -74,20 +72,24 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
         unreachable!("physics::build hands MD scenes to this room");
     };
     let masses = masses(scene);
-    let springs = column::springs(scene, &masses, contact_time);
-    let equal = scene.width == 0.0;
-    match (equal, attraction) {
-        (true, true) => Md::<S, G, _>::boxed(scene, state, ground, Equal::<true>::new(&springs)),
-        (true, false) => Md::<S, G, _>::boxed(scene, state, ground, Equal::<false>::new(&springs)),
-        (false, true) => {
-            Md::<S, G, _>::boxed(scene, state, ground, Unequal::<true>::new(springs, &masses))
+    let springs = springs(scene, &masses, contact_time);
+    match (scene.width == 0.0, attraction) {
+        (true, true) => {
+            let chain = Equal::<true>::new(&springs);
+            Md::<S, G, _>::boxed(scene, state, ground, chain, masses, springs)
         }
-        (false, false) => Md::<S, G, _>::boxed(
-            scene,
-            state,
-            ground,
-            Unequal::<false>::new(springs, &masses),
-        ),
+        (true, false) => {
+            let chain = Equal::<false>::new(&springs);
+            Md::<S, G, _>::boxed(scene, state, ground, chain, masses, springs)
+        }
+        (false, true) => {
+            let chain = Unequal::<true>::new(&springs, &masses);
+            Md::<S, G, _>::boxed(scene, state, ground, chain, masses, springs)
+        }
+        (false, false) => {
+            let chain = Unequal::<false>::new(&springs, &masses);
+            Md::<S, G, _>::boxed(scene, state, ground, chain, masses, springs)
+        }
     }
 }
 
@@ -97,7 +99,7 @@ struct Md<S, G, C> {
     ground: G,
     chain: C,
     masses: Vec<f64>,
-    springs: Vec<column::Spring>,
+    springs: Vec<Spring>,
     gravity: f64,
     steps_per_contact: f64,
     /// Energy in which the column would fall by a diameter, m²/s².
@@ -117,7 +119,14 @@ struct Md<S, G, C> {
 }
 
 impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> {
-    fn boxed(scene: &Scene, state: State, mut ground: G, chain: C) -> Box<dyn Engine> {
+    fn boxed(
+        scene: &Scene,
+        state: State,
+        mut ground: G,
+        chain: C,
+        masses: Vec<f64>,
+        springs: Vec<Spring>,
+    ) -> Box<dyn Engine> {
         let Method::Md {
             contact_time,
             steps_per_contact,
@@ -128,10 +137,8 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         };
         let h = contact_time / steps_per_contact;
         ground.set_step(h);
-        let masses = masses(scene);
         let mut md = Self {
             stepper: S::start(&state.gaps, &state.rates, h, &chain, &ground),
-            springs: column::springs(scene, &masses, contact_time),
             gravity: weight(scene),
             least_energy: weight(scene) * scene.diameter * masses.iter().sum::<f64>(),
             origin: state.time,
@@ -142,23 +149,20 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
             ground,
             chain,
             masses,
+            springs,
             steps_per_contact,
             h,
             state,
         };
         md.note_contacts();
-        let State {
-            gaps,
-            rates,
-            ledger_error: error,
-            ..
-        } = md.state.clone();
+        let (gaps, rates) = (md.gaps(), md.rates());
         if md.state.books.contacts.closed()[0] {
             let arrival = md.moment(&gaps, &rates).arrival();
             md.state.books.bounce.begin(arrival);
         }
-        let mut energy = md.moment(&gaps, &rates).energy();
-        md.state.books.ledger.open(&mut energy, error);
+        let energy = md.moment(&gaps, &rates).energy();
+        let error = md.state.ledger_error;
+        md.state.books.ledger.open(energy, error);
         Box::new(md)
     }
 
@@ -250,18 +254,8 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         rates
     }
 
-    /// Whether no collision still to come can change E by 10⁻¹² of itself.
     fn nothing_to_come(&self) -> bool {
-        let mut v = 0.0;
-        let velocities: Vec<f64> = self
-            .rates()
-            .iter()
-            .map(|w| {
-                v += w;
-                v
-            })
-            .collect();
-        super::most_to_lose(&velocities, &self.masses) <= OVER
+        nothing_to_come(self.rates().into_iter(), &self.masses)
     }
 
     /// The gaps now, those of a flight included.
@@ -357,10 +351,8 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
 
     /// Whether the ledger shows that the integration blows up.
     fn lost_the_energy(&self) -> bool {
-        let books = self.books();
-        let mut energy = self.moment(&self.gaps(), &self.rates()).energy();
-        books.ledger.close(&mut energy);
-        books.ledger.is_broken(&energy, self.least_energy)
+        let energy = self.moment(&self.gaps(), &self.rates()).energy();
+        self.books().ledger.is_broken(energy, self.least_energy)
     }
 }
 
@@ -407,12 +399,11 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for M
 
     fn state(&self) -> State {
         let (gaps, rates, books) = (self.gaps(), self.rates(), self.books());
-        let mut energy = self.moment(&gaps, &rates).energy();
-        books.ledger.close(&mut energy);
+        let energy = self.moment(&gaps, &rates).energy();
         State {
             time: self.time(),
             plate: self.ground.plate(),
-            ledger_error: books.ledger.error(&energy),
+            ledger_error: books.ledger.error(energy),
             springs: self.springs.clone(),
             books,
             gaps,

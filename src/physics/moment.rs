@@ -104,8 +104,7 @@ impl Moment<'_> {
         into.centre = height / mass;
         self.gaps.clone_into(&mut into.gaps);
         books.contacts.closed().clone_into(&mut into.contacts);
-        into.energy = self.energy();
-        books.ledger.close(&mut into.energy);
+        into.energy = books.ledger.closed(self.energy());
         into.free_flight = books.contacts.free_flight(self.time);
         into.bounce = books.bounce.restitution(into.energy.relative);
         into.crossing = books.bounce.crossing();

@@ -4,7 +4,7 @@ use super::ground::Ground;
 use super::{Ed, Gap, Rule};
 use crate::physics::EngineError;
 use crate::physics::bounce::Arrival;
-use crate::physics::column::totally_inelastic;
+use crate::physics::column::{totally_inelastic, velocities};
 
 /// k(1 − ε) of k touching beads above which nothing comes back from the far end: what
 /// a wave carries there and back falls as e^{−k(1−ε)}, its energy as the square, 10⁻¹².
@@ -136,16 +136,12 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         // Velocities relative to the floor, or to the lowest bead of the block.
         let first = low.saturating_sub(1);
         let on_floor = low == 0;
-        let mut v = 0.0;
+        let lowest = (!on_floor).then_some(0.0);
         let rates = self.gaps[low..=high].iter().map(|gap| gap.w);
-        let mut velocities: Vec<f64> = if on_floor { Vec::new() } else { vec![0.0] };
-        velocities.extend(rates.map(|w| {
-            v += w;
-            v
-        }));
-        let before = velocities.clone();
-        totally_inelastic(&mut velocities, &self.masses[first..=high], on_floor);
-        self.set_velocities(first, on_floor, &before, &velocities, t);
+        let before = velocities(lowest.into_iter().chain(rates));
+        let mut after = before.clone();
+        totally_inelastic(&mut after, &self.masses[first..=high], on_floor);
+        self.set_velocities(first, on_floor, &before, &after, t);
     }
 
     /// Gives the beads from `first` on the velocities `after` in place of `before`,

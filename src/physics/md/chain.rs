@@ -77,9 +77,9 @@ pub(crate) struct Unequal<const ATTRACTION: bool> {
 }
 
 impl<const ATTRACTION: bool> Unequal<ATTRACTION> {
-    pub fn new(springs: Vec<Spring>, masses: &[f64]) -> Self {
+    pub fn new(springs: &[Spring], masses: &[f64]) -> Self {
         Self {
-            springs,
+            springs: springs.to_vec(),
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
         }
     }

@@ -7,20 +7,22 @@ use crate::physics::plate::Plate;
 /// steps between, with an error of a few hundred roundings at most.
 const RESYNC: u64 = 256;
 
-/// The floor and gravity of an MD column.
+/// The floor and gravity of an MD column. Unless said otherwise the floor stands still.
 pub(crate) trait Ground: Send {
     /// Whether there is gravity.
     const PULLS: bool;
     /// Whether the floor moves.
     const MOVES: bool;
     /// Sets the time step, s.
-    fn set_step(&mut self, h: f64);
+    fn set_step(&mut self, _: f64) {}
     /// Moves the floor on by a step.
-    fn step(&mut self);
+    fn step(&mut self) {}
     /// Acceleration −(g + z̈₀) of a free lowest gap, m/s².
     fn pull(&self) -> f64;
     /// Velocity of the floor, m/s.
-    fn velocity(&self) -> f64;
+    fn velocity(&self) -> f64 {
+        0.0
+    }
     /// The floor now.
     fn plate(&self) -> Plate;
 }
@@ -39,12 +41,7 @@ impl Free {
 impl Ground for Free {
     const PULLS: bool = false;
     const MOVES: bool = false;
-    fn set_step(&mut self, _: f64) {}
-    fn step(&mut self) {}
     fn pull(&self) -> f64 {
-        0.0
-    }
-    fn velocity(&self) -> f64 {
         0.0
     }
     fn plate(&self) -> Plate {
@@ -67,13 +64,8 @@ impl Weight {
 impl Ground for Weight {
     const PULLS: bool = true;
     const MOVES: bool = false;
-    fn set_step(&mut self, _: f64) {}
-    fn step(&mut self) {}
     fn pull(&self) -> f64 {
         -self.gravity
-    }
-    fn velocity(&self) -> f64 {
-        0.0
     }
     fn plate(&self) -> Plate {
         self.plate
