@@ -9,6 +9,7 @@ mod bounce;
 mod column;
 mod contacts;
 mod ed;
+mod exact;
 mod ledger;
 mod linear_law;
 mod md;
@@ -21,7 +22,7 @@ pub use linear_law::{LinearLaw, floor_restitution};
 pub use observation::{Energy, Observation};
 pub use state::{Handover, State};
 
-use crate::scene::Scene;
+use crate::scene::{Method, Scene, Solver};
 
 /// Why an engine cannot go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -111,10 +112,16 @@ pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover)
         None => (State::initial(scene), Handover::default()),
         Some(state) => state.adopt(scene),
     };
-    let engine = if scene.is_md() {
-        md::build(scene, state)
-    } else {
-        ed::build(scene, state)
+    let engine = match scene.method {
+        Method::Md {
+            solver: Solver::Grid { .. },
+            ..
+        } => md::build(scene, state),
+        Method::Md {
+            solver: Solver::Exact,
+            ..
+        } => exact::build(scene, state),
+        Method::Ed { .. } => ed::build(scene, state),
     };
     (engine, handover)
 }

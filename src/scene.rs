@@ -68,6 +68,21 @@ pub enum Integrator {
     Verlet,
 }
 
+/// How the motion of soft contacts is computed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Solver {
+    /// On a fixed grid of time steps.
+    Grid {
+        /// The integrator.
+        integrator: Integrator,
+        /// Time steps in one contact time.
+        steps_per_contact: f64,
+    },
+    /// To rounding: contact changes are located, and between them the linear column is
+    /// propagated as what it is, a linear system.
+    Exact,
+}
+
 /// How collisions that happen very soon after one another lose energy (ED).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CollisionRule {
@@ -88,10 +103,8 @@ pub enum Method {
     Md {
         /// Contact time t_c of a pair of equal beads, s, Eq. (6).
         contact_time: f64,
-        /// The integrator.
-        integrator: Integrator,
-        /// Time steps in one contact time.
-        steps_per_contact: f64,
+        /// How their motion is computed.
+        solver: Solver,
         /// Whether the short attractive end of a contact acts (the paper's law).
         attraction: bool,
     },

@@ -4,7 +4,7 @@
 mod support;
 
 use beadlab::physics::LinearLaw;
-use beadlab::scene::{Facts, Integrator, Method, Start};
+use beadlab::scene::{Facts, Integrator, Method, Solver, Start};
 use support::{ED, collide, fig1, md, rebound};
 
 /// s₀, m; converged ε_eff and E_r/E_f of the soft column.
@@ -53,8 +53,10 @@ fn hooke_columns_of_fig_3() {
     for (n, expected) in [(1, 0.85414), (10, 0.94005), (50, 0.96860)] {
         let method = Method::Md {
             contact_time: law.contact_time(),
-            integrator: Integrator::Gear,
-            steps_per_contact: 1000.0,
+            solver: Solver::Grid {
+                integrator: Integrator::Gear,
+                steps_per_contact: 1000.0,
+            },
             attraction: true,
         };
         let start = Start::Separated {

@@ -4,7 +4,7 @@
 mod program;
 
 use beadlab::scene::preset::embedded;
-use beadlab::scene::{Floor, Method, MethodName, Preset, Start};
+use beadlab::scene::{Floor, Method, MethodName, Preset, Solver, Start};
 use std::fs;
 use std::path::PathBuf;
 
@@ -126,7 +126,7 @@ fn the_floor_collisions_have_the_papers_numbers() {
         assert!(close(scene.contact_time().expect("soft"), 0.7e-5));
         assert_eq!(scene.method.name(), MethodName::Gear);
         assert!(
-            matches!(scene.method, Method::Md { steps_per_contact, attraction: true, .. }
+            matches!(scene.method, Method::Md { solver: Solver::Grid { steps_per_contact, .. }, attraction: true, .. }
                 if close(steps_per_contact, 100.0))
         );
         assert_eq!(load(soft).beside.as_deref(), Some(hard));

@@ -4,7 +4,9 @@
 mod support;
 
 use beadlab::physics::build;
-use beadlab::scene::{Facts, Floor, FloorContact, Integrator, Method, Scene, Start, angular};
+use beadlab::scene::{
+    Facts, Floor, FloorContact, Integrator, Method, Scene, Solver, Start, angular,
+};
 use support::{ED, G, fig1, look, shaken};
 
 /// Numbers in [0, 1), the same in every run.
@@ -125,8 +127,10 @@ fn edits_in_any_order_keep_the_column_whole() {
     for k in 0..40 {
         let soft = Method::Md {
             contact_time: dice.decades(-5.0, -3.0),
-            integrator: Integrator::Verlet,
-            steps_per_contact: 40.0,
+            solver: Solver::Grid {
+                integrator: Integrator::Verlet,
+                steps_per_contact: 40.0,
+            },
             attraction: true,
         };
         let mut facts = shaken(soft, dice.decades(0.0, 1.0));

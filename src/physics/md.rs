@@ -16,7 +16,7 @@ use super::moment::Moment;
 use super::observation::Observation;
 use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{Floor, Integrator, Method, Scene};
+use crate::scene::{Floor, Integrator, Method, Scene, Solver};
 use chain::{Chain, Equal, Unequal};
 use gear::Gear;
 use ground::{Free, Ground, Shaken, Weight};
@@ -30,65 +30,79 @@ const INSPECTION: u64 = 1024;
 /// Steps that a time can count, 2^53.
 const MOST_STEPS: f64 = 9_007_199_254_740_992.0;
 
-/// Builds the engine of an MD scene.
+/// What a scene on a grid has.
+#[derive(Clone, Copy)]
+struct Grid {
+    contact_time: f64,
+    steps_per_contact: f64,
+    attraction: bool,
+}
+
+/// Builds the engine of an MD scene on a grid of time steps.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let Method::Md { integrator, .. } = scene.method else {
-        unreachable!("physics::build hands MD scenes to this room");
+    let Method::Md {
+        contact_time,
+        solver: Solver::Grid {
+            integrator,
+            steps_per_contact,
+        },
+        attraction,
+    } = scene.method
+    else {
+        unreachable!("physics::build hands scenes on a grid to this room");
+    };
+    let grid = Grid {
+        contact_time,
+        steps_per_contact,
+        attraction,
     };
     match integrator {
-        Integrator::Gear => with_ground::<Gear>(scene, state),
-        Integrator::Verlet => with_ground::<Verlet>(scene, state),
+        Integrator::Gear => with_ground::<Gear>(scene, grid, state),
+        Integrator::Verlet => with_ground::<Verlet>(scene, grid, state),
     }
 }
 
-fn with_ground<S: Stepper + 'static>(scene: &Scene, state: State) -> Box<dyn Engine> {
+fn with_ground<S: Stepper + 'static>(scene: &Scene, grid: Grid, state: State) -> Box<dyn Engine> {
     match (scene.floor, scene.gravity) {
         (Floor::Vibrating { .. }, gravity) => {
             let ground = Shaken::new(gravity.unwrap_or(0.0), state.plate);
-            with_chain::<S, _>(scene, state, ground)
+            with_chain::<S, _>(scene, grid, state, ground)
         }
         (Floor::Fixed, Some(gravity)) => {
             let ground = Weight::new(gravity, state.plate);
-            with_chain::<S, _>(scene, state, ground)
+            with_chain::<S, _>(scene, grid, state, ground)
         }
         (Floor::Fixed, None) => {
             let ground = Free::new(state.plate);
-            with_chain::<S, _>(scene, state, ground)
+            with_chain::<S, _>(scene, grid, state, ground)
         }
     }
 }
 
 fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
     scene: &Scene,
+    grid: Grid,
     state: State,
     ground: G,
 ) -> Box<dyn Engine> {
-    let Method::Md {
-        contact_time,
-        attraction,
-        ..
-    } = scene.method
-    else {
-        unreachable!("physics::build hands MD scenes to this room");
-    };
     let masses = masses(scene);
-    let springs = springs(scene, &masses, contact_time);
-    match (scene.width == 0.0, attraction) {
+    let springs = springs(scene, &masses, grid.contact_time);
+    match (scene.width == 0.0, grid.attraction) {
         (true, true) => {
             let chain = Equal::<true>::new(&springs);
-            Md::<S, G, _>::boxed(scene, state, ground, chain, masses, springs)
+            Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
         }
         (true, false) => {
             let chain = Equal::<false>::new(&springs);
-            Md::<S, G, _>::boxed(scene, state, ground, chain, masses, springs)
+            Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
         }
         (false, true) => {
             let chain = Unequal::<true>::new(&springs, &masses);
-            Md::<S, G, _>::boxed(scene, state, ground, chain, masses, springs)
+            Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
         }
         (false, false) => {
             let chain = Unequal::<false>::new(&springs, &masses);
-            Md::<S, G, _>::boxed(scene, state, ground, chain, masses, springs)
+            Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
         }
     }
 }
@@ -121,21 +135,14 @@ struct Md<S, G, C> {
 impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> {
     fn boxed(
         scene: &Scene,
+        grid: Grid,
         state: State,
         mut ground: G,
         chain: C,
         masses: Vec<f64>,
         springs: Vec<Spring>,
     ) -> Box<dyn Engine> {
-        let Method::Md {
-            contact_time,
-            steps_per_contact,
-            ..
-        } = scene.method
-        else {
-            unreachable!("physics::build hands MD scenes to this room");
-        };
-        let h = contact_time / steps_per_contact;
+        let h = grid.contact_time / grid.steps_per_contact;
         ground.set_step(h);
         let mut md = Self {
             stepper: S::start(&state.gaps, &state.rates, h, &chain, &ground),
@@ -150,7 +157,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
             chain,
             masses,
             springs,
-            steps_per_contact,
+            steps_per_contact: grid.steps_per_contact,
             h,
             state,
         };

@@ -1,7 +1,10 @@
 //! Methods by the names that people type, and the change from one to another.
 
-use super::{CollisionRule, Facts, Integrator, Method, Scene, SceneError};
+use super::{CollisionRule, Facts, Integrator, Method, Scene, SceneError, Solver};
 use crate::scene::parameters;
+
+/// Steps in a contact time where nobody says otherwise.
+const COMMON_STEPS: f64 = 100.0;
 
 /// The name of a method on the command line and in preset files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -10,19 +13,22 @@ pub enum MethodName {
     Gear,
     /// Soft contacts, velocity Verlet.
     Verlet,
+    /// Soft contacts, to rounding.
+    Exact,
     /// Hard spheres, event driven.
     Ed,
 }
 
 impl MethodName {
     /// All methods, in the order in which they are shown.
-    pub const ALL: [Self; 3] = [Self::Gear, Self::Verlet, Self::Ed];
+    pub const ALL: [Self; 4] = [Self::Gear, Self::Verlet, Self::Exact, Self::Ed];
 
     /// As it is typed.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Gear => "gear",
             Self::Verlet => "verlet",
+            Self::Exact => "exact",
             Self::Ed => "ed",
         }
     }
@@ -32,6 +38,7 @@ impl MethodName {
         match self {
             Self::Gear => "soft contacts, Gear's predictor-corrector of fifth order",
             Self::Verlet => "soft contacts, velocity Verlet",
+            Self::Exact => "soft contacts, exact to rounding, contact changes located",
             Self::Ed => "hard spheres, event driven",
         }
     }
@@ -46,14 +53,17 @@ impl Method {
     /// Its name.
     pub fn name(&self) -> MethodName {
         match self {
-            Self::Md {
-                integrator: Integrator::Gear,
-                ..
-            } => MethodName::Gear,
-            Self::Md {
-                integrator: Integrator::Verlet,
-                ..
-            } => MethodName::Verlet,
+            Self::Md { solver, .. } => match solver {
+                Solver::Grid {
+                    integrator: Integrator::Gear,
+                    ..
+                } => MethodName::Gear,
+                Solver::Grid {
+                    integrator: Integrator::Verlet,
+                    ..
+                } => MethodName::Verlet,
+                Solver::Exact => MethodName::Exact,
+            },
             Self::Ed { .. } => MethodName::Ed,
         }
     }
@@ -65,8 +75,9 @@ impl Facts {
     /// given yet".
     pub(in crate::scene) fn under(&self, name: MethodName) -> Self {
         let method = match name {
-            MethodName::Gear => self.soft(Integrator::Gear),
-            MethodName::Verlet => self.soft(Integrator::Verlet),
+            MethodName::Gear => self.soft(self.on_grid(Integrator::Gear)),
+            MethodName::Verlet => self.soft(self.on_grid(Integrator::Verlet)),
+            MethodName::Exact => self.soft(Solver::Exact),
             MethodName::Ed => match self.method {
                 Method::Md { .. } => Method::Ed {
                     rule: CollisionRule::Lrv,
@@ -80,23 +91,37 @@ impl Facts {
         }
     }
 
-    fn soft(&self, integrator: Integrator) -> Method {
+    /// The grid in force, or a common one, for this integrator.
+    fn on_grid(&self, integrator: Integrator) -> Solver {
+        let steps_per_contact = match self.method {
+            Method::Md {
+                solver: Solver::Grid {
+                    steps_per_contact, ..
+                },
+                ..
+            } => steps_per_contact,
+            _ => COMMON_STEPS,
+        };
+        Solver::Grid {
+            integrator,
+            steps_per_contact,
+        }
+    }
+
+    fn soft(&self, solver: Solver) -> Method {
         match self.method {
             Method::Md {
                 contact_time,
-                steps_per_contact,
                 attraction,
                 ..
             } => Method::Md {
                 contact_time,
-                integrator,
-                steps_per_contact,
+                solver,
                 attraction,
             },
             Method::Ed { .. } => Method::Md {
                 contact_time: self.contact_time().unwrap_or(f64::NAN),
-                integrator,
-                steps_per_contact: 100.0,
+                solver,
                 attraction: true,
             },
         }

@@ -135,8 +135,10 @@ pub(in crate::scene) fn example() -> Facts {
         floor: Floor::Fixed,
         method: super::Method::Md {
             contact_time: 7e-6,
-            integrator: super::Integrator::Gear,
-            steps_per_contact: 100.0,
+            solver: super::Solver::Grid {
+                integrator: super::Integrator::Gear,
+                steps_per_contact: 100.0,
+            },
             attraction: true,
         },
         duration: None,

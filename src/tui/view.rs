@@ -13,7 +13,7 @@ use super::widgets::text::{columns, fitted, line};
 use super::widgets::trace::Trace;
 use super::widgets::{footer, header, help, menu, parameters, rules, sigma, strip};
 use crate::live::Status;
-use crate::scene::{CollisionRule, Integrator, Method};
+use crate::scene::{CollisionRule, Integrator, Method, Solver};
 
 /// Draws the model.
 pub fn view(model: &Model, frame: &mut Frame) {
@@ -149,8 +149,15 @@ fn draw_title(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
     };
     let method = match scene.method {
         Method::Md {
-            integrator,
-            steps_per_contact,
+            solver: Solver::Exact,
+            ..
+        } => "exact".to_owned(),
+        Method::Md {
+            solver:
+                Solver::Grid {
+                    integrator,
+                    steps_per_contact,
+                },
             ..
         } => {
             let name = match integrator {

@@ -3,7 +3,7 @@
 
 use beadlab::physics::{Engine, Observation, Outcome, build};
 use beadlab::scene::{
-    CollisionRule, Facts, Floor, FloorContact, Integrator, Method, Scene, Start, angular,
+    CollisionRule, Facts, Floor, FloorContact, Integrator, Method, Scene, Solver, Start, angular,
 };
 
 /// g of all presets, m/s².
@@ -51,8 +51,10 @@ pub fn shaken(method: Method, alpha: f64) -> Facts {
 pub fn md(integrator: Integrator, steps_per_contact: f64) -> Method {
     Method::Md {
         contact_time: 0.7e-5,
-        integrator,
-        steps_per_contact,
+        solver: Solver::Grid {
+            integrator,
+            steps_per_contact,
+        },
         attraction: true,
     }
 }
@@ -103,8 +105,10 @@ pub const INTEGRATORS: [Integrator; 2] = [Integrator::Gear, Integrator::Verlet];
 pub fn soft(integrator: Integrator, contact_time: f64, steps_per_contact: f64) -> Method {
     Method::Md {
         contact_time,
-        integrator,
-        steps_per_contact,
+        solver: Solver::Grid {
+            integrator,
+            steps_per_contact,
+        },
         attraction: true,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Value;
 use super::rows::TC;
-use crate::scene::{CollisionRule, Facts, Floor, Method, Start, angular};
+use crate::scene::{CollisionRule, Facts, Floor, Method, Solver, Start, angular};
 
 // The table hands over values of the row's own kind only.
 
@@ -38,15 +38,24 @@ pub(super) fn separated(facts: &Facts) -> Option<(f64, f64, bool)> {
     }
 }
 
-/// Steps in a contact time, and attraction, of soft contacts.
-pub(super) fn soft(facts: &Facts) -> Option<(f64, bool)> {
+/// Whether the attraction of soft contacts acts.
+pub(super) fn attraction(facts: &Facts) -> Option<bool> {
+    match facts.method {
+        Method::Md { attraction, .. } => Some(attraction),
+        Method::Ed { .. } => None,
+    }
+}
+
+/// Steps in a contact time of soft contacts on a grid.
+pub(super) fn steps(facts: &Facts) -> Option<f64> {
     match facts.method {
         Method::Md {
-            steps_per_contact,
-            attraction,
+            solver: Solver::Grid {
+                steps_per_contact, ..
+            },
             ..
-        } => Some((steps_per_contact, attraction)),
-        Method::Ed { .. } => None,
+        } => Some(steps_per_contact),
+        _ => None,
     }
 }
 

@@ -1,11 +1,11 @@
 //! The rows of the table.
 
 use super::access::{
-    choice, flag, number, plate, separated, set_alpha, set_amplitude, set_contact_time,
-    set_frequency, set_rule, soft, whole,
+    attraction, choice, flag, number, plate, separated, set_alpha, set_amplitude, set_contact_time,
+    set_frequency, set_rule, steps, whole,
 };
 use super::{Kind, Parameter, Scale, Value};
-use crate::scene::{CollisionRule, FloorContact, Method, Start};
+use crate::scene::{CollisionRule, FloorContact, Method, Solver, Start};
 
 /// The largest seed that a JSON number holds exactly.
 const LARGEST_SEED: u64 = 1 << 53;
@@ -16,8 +16,9 @@ pub(super) const LRV: &str = "lrv";
 pub(super) const TC: &str = "tc";
 
 const SEPARATED: &str = "scenes with start separated";
-const SOFT: &str = "scenes with soft contacts (method gear or verlet)";
-const TIMED: &str = "scenes with soft contacts (method gear or verlet) or the rule tc";
+const SOFT: &str = "scenes with soft contacts (method gear, verlet or exact)";
+const GRID: &str = "scenes on a grid of time steps (method gear or verlet)";
+const TIMED: &str = "scenes with soft contacts (method gear, verlet or exact) or the rule tc";
 const HARD: &str = "scenes with hard spheres (method ed)";
 const HEAVY: &str = "scenes with gravity";
 const VIBRATING: &str = "scenes with a vibrating floor";
@@ -333,7 +334,7 @@ pub(super) static ROWS: &[Parameter] = &[
         help: "let the attractive end of a contact act, as in the paper",
         kind: Kind::Flag,
         belongs_to: SOFT,
-        get: |facts| soft(facts).map(|(_, attraction)| Value::Flag(attraction)),
+        get: |facts| attraction(facts).map(Value::Flag),
         set: |facts, value| {
             flag(value, |on| {
                 if let Method::Md { attraction, .. } = &mut facts.method {
@@ -357,12 +358,16 @@ pub(super) static ROWS: &[Parameter] = &[
                 smallest: 2.0,
             },
         },
-        belongs_to: SOFT,
-        get: |facts| soft(facts).map(|(steps, _)| Value::Number(steps)),
+        belongs_to: GRID,
+        get: |facts| steps(facts).map(Value::Number),
         set: |facts, value| {
             number(value, |x| {
                 if let Method::Md {
-                    steps_per_contact, ..
+                    solver:
+                        Solver::Grid {
+                            steps_per_contact, ..
+                        },
+                    ..
                 } = &mut facts.method
                 {
                     *steps_per_contact = x;

@@ -7,7 +7,7 @@ use crate::scene::parameters::{self, Kind, Parameter, Setting, Value};
 use crate::scene::validate::check_frame;
 use crate::scene::words::{did_you_mean, one_line, quote};
 use crate::scene::{
-    Facts, Floor, FloorContact, Integrator, Method, MethodName, Scene, SceneError, Start,
+    Facts, Floor, FloorContact, Method, MethodName, Scene, SceneError, Solver, Start,
 };
 use toml::de::DeValue;
 
@@ -21,7 +21,7 @@ const TEXTS: [(&str, usize); 4] = [
 
 /// The words that decide which parameters a scene has.
 const FRAME: [(&str, &[&str]); 3] = [
-    ("method", &["gear", "verlet", "ed"]),
+    ("method", &["gear", "verlet", "exact", "ed"]),
     ("start", &["separated", "resting"]),
     ("floor", &["fixed", "vibrating"]),
 ];
@@ -184,8 +184,7 @@ fn frame(entries: &Entries) -> Result<Facts, PresetError> {
         },
         method: Method::Md {
             contact_time: f64::NAN,
-            integrator: Integrator::Gear,
-            steps_per_contact: 100.0,
+            solver: Solver::Exact,
             attraction: true,
         },
         duration: gravity.map(|_| DEFAULT_DURATION),

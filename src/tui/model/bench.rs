@@ -158,7 +158,7 @@ impl Bench {
         Some(self.put(original))
     }
 
-    /// The next method for the left column: Gear, Verlet, ED, and so on round.
+    /// The next method for the left column: Gear, Verlet, exact, ED, and so on round.
     ///
     /// # Errors
     /// When the scene cannot have any other method, in a sentence.
@@ -166,7 +166,8 @@ impl Bench {
         let scene = &self.scenes[0];
         let next = match scene.method.name() {
             MethodName::Gear => scene.with_method(MethodName::Verlet),
-            MethodName::Verlet => {
+            MethodName::Verlet => scene.with_method(MethodName::Exact),
+            MethodName::Exact => {
                 Self::with(scene, self.hard).unwrap_or_else(|| scene.with_method(MethodName::Ed))
             }
             MethodName::Ed => Self::with(scene, self.soft)
