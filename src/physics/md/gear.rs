@@ -32,17 +32,20 @@ pub(crate) struct Gear {
     forces: Forces,
 }
 
-/// The Taylor series, a step on.
+/// The Taylor series, a step on: Pascal's triangle, in sums alone.
 #[inline]
 fn predicted<T: Number>([a, b, c, d, e, f]: Derivatives<T>) -> Derivatives<T> {
-    [
-        a + b + c + d + e + f,
-        b + c * 2.0 + d * 3.0 + e * 4.0 + f * 5.0,
-        c + d * 3.0 + e * 6.0 + f * 10.0,
-        d + e * 4.0 + f * 10.0,
-        e + f * 5.0,
-        f,
-    ]
+    let e1 = e + f;
+    let d1 = d + e1;
+    let c1 = c + d1;
+    let b1 = b + c1;
+    let e2 = e1 + f;
+    let d2 = d1 + e2;
+    let c2 = c1 + d2;
+    let e3 = e2 + f;
+    let d3 = d2 + e3;
+    let e4 = e3 + f;
+    [a + b1, b1 + c2, c2 + d3, d3 + e4, e4 + f, f]
 }
 
 /// Derivatives set right, r₂ being `truth`.

@@ -7,13 +7,13 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use wide::f64x4;
+use wide::f64x2;
 
 /// Gaps that are computed side by side.
-pub(super) const LANES: usize = 4;
+pub(super) const LANES: usize = 2;
 
 /// One group.
-pub(crate) type Lane = f64x4;
+pub(crate) type Lane = f64x2;
 
 /// Width of a gap that there is not: nothing that is added to it in a run changes it.
 pub(super) const BEYOND: f64 = 1e300;
@@ -58,11 +58,6 @@ pub(super) fn changed(before: Lane, now: Lane) -> Lane {
     before.simd_le(Lane::ZERO) ^ now.simd_le(Lane::ZERO)
 }
 
-/// Groups that hold the gaps between `n` beads.
-pub(super) fn groups(n: usize) -> usize {
-    (n - 1).div_ceil(LANES)
-}
-
 /// What all gaps have, without the floor's, in groups filled up with `rest`.
 pub(super) fn grouped(values: &[f64], rest: f64) -> Vec<Lane> {
     let group = |chunk: &[f64]| {
@@ -83,21 +78,21 @@ pub(super) fn singly(groups: &[Lane]) -> impl Iterator<Item = f64> {
 /// just been stored would wait for both.
 #[inline]
 pub(super) fn neighbours(under: f64, here: Lane, over: Lane) -> (Lane, Lane) {
-    let ([a, b, c, d], [e, ..]) = (here.to_array(), over.to_array());
-    (Lane::new([under, a, b, c]), Lane::new([b, c, d, e]))
+    let ([a, b], [c, ..]) = (here.to_array(), over.to_array());
+    (Lane::new([under, a]), Lane::new([b, c]))
 }
 
 /// Sets to zero what is too small to matter to anything (lengths of 10⁻¹⁵⁰ m, whose
-/// squares are still normal numbers).
+/// squares are still normal numbers), and keeps what is not a number.
 pub(super) fn flush(row: &mut [Lane]) {
     for x in row {
-        *x &= x.abs().simd_ge(Lane::splat(NEGLIGIBLE));
+        *x &= !x.abs().simd_lt(Lane::splat(NEGLIGIBLE));
     }
 }
 
 /// The same for one number.
 pub(super) fn flushed(x: f64) -> f64 {
-    if x.abs() >= NEGLIGIBLE { x } else { 0.0 }
+    if x.abs() < NEGLIGIBLE { 0.0 } else { x }
 }
 
 const NEGLIGIBLE: f64 = 1e-150;
