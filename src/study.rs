@@ -5,6 +5,8 @@
 
 mod drive;
 mod measure;
+pub mod plot;
+pub mod table;
 
 pub use drive::{Drive, RunError, Watch, natural_time};
 pub use measure::{Results, measure};
