@@ -10,6 +10,7 @@ mod column;
 mod contacts;
 mod ed;
 mod exact;
+mod flight;
 mod ledger;
 mod linear_law;
 mod md;
@@ -17,6 +18,7 @@ mod moment;
 mod observation;
 mod plate;
 mod state;
+mod tournament;
 
 pub use linear_law::{LinearLaw, floor_restitution};
 pub use observation::{Energy, Observation};
