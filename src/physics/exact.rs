@@ -10,6 +10,8 @@
 mod cluster;
 mod crossing;
 mod passage;
+mod repose;
+mod rest;
 mod series;
 
 use super::column::{OVER, Spring, masses, nothing_to_come, springs};
@@ -22,6 +24,7 @@ use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Method, Scene};
 use cluster::Plan;
 use crossing::ROWS;
+use repose::Repose;
 use series::Coupling;
 
 /// Contact times in a tick of the epoch: times from it are known to 10⁻¹⁴ t_c.
@@ -97,6 +100,7 @@ struct Exact<G> {
     tick: f64,
     /// Now, s from the epoch.
     now: f64,
+    repose: Repose,
     /// Changes in a row that took no time.
     instant: usize,
     over: bool,
@@ -153,6 +157,7 @@ impl<G: Ground> Exact<G> {
             ticks: 0.0,
             tick: (TICK * contact_time).log2().round().exp2(),
             now: 0.0,
+            repose: Repose::new(n),
             instant: 0,
             over: false,
             masses,
@@ -260,6 +265,9 @@ impl<G: Ground> Exact<G> {
         let was_closed = self.modes[i] != Mode::Open;
         let closed = mode != Mode::Open;
         self.modes[i] = mode;
+        if i <= self.end[0] {
+            self.repose.disturb();
+        }
         if closed == was_closed {
             return;
         }

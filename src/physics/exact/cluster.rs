@@ -19,6 +19,8 @@ pub(super) enum Plan {
         /// Which gap changes there, and to what.
         change: Option<(usize, Mode)>,
     },
+    /// A stack at rest on the floor, in which nothing can open before the plan ends.
+    Rest,
 }
 
 impl<G: Ground> Exact<G> {
@@ -60,6 +62,9 @@ impl<G: Ground> Exact<G> {
             } else {
                 closing(t, g, w)
             }
+        } else if let Some(until) = self.plan_rest(low, high) {
+            self.plans[low] = Plan::Rest;
+            until
         } else {
             self.plan_series(low, high)
         };
