@@ -9,6 +9,7 @@
 
 mod cluster;
 mod crossing;
+mod encounter;
 mod passage;
 mod repose;
 mod rest;
@@ -24,6 +25,7 @@ use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Method, Scene};
 use cluster::Plan;
 use crossing::ROWS;
+use encounter::Encounter;
 use repose::Repose;
 use series::Coupling;
 
@@ -77,8 +79,12 @@ struct Exact<G> {
     /// 1/m of each bead.
     inverse: Vec<f64>,
     springs: Vec<Spring>,
+    /// How each contact goes when nothing else touches its beads.
+    encounters: Vec<Option<Encounter>>,
     attraction: bool,
     gravity: f64,
+    /// The most that a free lowest gap can accelerate towards the floor, m/s².
+    pull: f64,
     gaps: Vec<Gap>,
     modes: Vec<Mode>,
     /// The first gap of the cluster that each gap is in; itself in flight.
@@ -137,9 +143,13 @@ impl<G: Ground> Exact<G> {
         };
         let n = scene.n;
         let masses = masses(scene);
+        let springs = springs(scene, &masses, contact_time);
+        let shake = state.plate.amplitude * state.plate.omega.powi(2);
         let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
         let mut exact = Self {
-            springs: springs(scene, &masses, contact_time),
+            encounters: Encounter::all(&springs, &masses),
+            springs,
+            pull: weight(scene) + shake,
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
             attraction,
             gravity: weight(scene),

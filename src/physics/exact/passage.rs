@@ -18,6 +18,7 @@ impl<G: Ground> Exact<G> {
         let change = match self.plans[low] {
             Plan::Flight => Some((low, Mode::Pushing)),
             Plan::Series { change, .. } => change,
+            Plan::Encounter(i) => Some((i, Mode::Open)),
             Plan::Rest => None,
         };
         self.bring(low, t);
@@ -70,6 +71,7 @@ impl<G: Ground> Exact<G> {
                 let s = self.progress(low, t, h, reach);
                 self.series(low, h).evaluate(s, gaps, rates);
             }
+            Plan::Encounter(i) => self.at_encounter(low, i, t, gaps, rates),
             Plan::Rest => self.at_rest(t, gaps, rates),
         }
     }
@@ -80,6 +82,7 @@ impl<G: Ground> Exact<G> {
         let (h, reach) = match self.plans[low] {
             Plan::Flight => return,
             Plan::Series { h, reach, .. } => (h, reach),
+            Plan::Encounter(i) => return self.account_encounter(low, i, t, ledger),
             Plan::Rest => return self.account_rest(t, ledger),
         };
         let series = self.series(low, h);
