@@ -7,7 +7,7 @@
 
 mod cascade;
 mod chatter;
-mod ground;
+pub(super) mod ground;
 mod rule;
 mod tournament;
 

@@ -5,8 +5,7 @@ use crate::scene::{Facts, Integrator, Method, Scene, Solver};
 
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
     let Method::Md {
-        contact_time,
-        attraction,
+        law, attraction,
         ..
     } = scene.method
     else {
@@ -17,7 +16,7 @@ pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
         steps_per_contact: 2000.0,
     };
     let method = Method::Md {
-        contact_time,
+        law,
         solver,
         attraction,
     };

@@ -10,10 +10,11 @@ mod ground;
 mod stepper;
 mod verlet;
 
-use super::column::{OVER, Spring, masses, nothing_to_come, springs};
+use super::column::{OVER, masses, nothing_to_come, springs};
 use super::ledger::Ledger;
 use super::moment::Moment;
 use super::observation::Observation;
+use super::power_law::Spring;
 use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Integrator, Method, Scene, Solver};
@@ -40,14 +41,18 @@ struct Grid {
 
 /// Builds the engine of an MD scene on a grid of time steps.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let Method::Md {
-        contact_time,
-        solver: Solver::Grid {
-            integrator,
-            steps_per_contact,
+    let (
+        Method::Md {
+            solver:
+                Solver::Grid {
+                    integrator,
+                    steps_per_contact,
+                },
+            attraction,
+            ..
         },
-        attraction,
-    } = scene.method
+        Some(contact_time),
+    ) = (scene.method, scene.contact_time())
     else {
         unreachable!("physics::build hands scenes on a grid to this room");
     };
@@ -86,7 +91,7 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
     ground: G,
 ) -> Box<dyn Engine> {
     let masses = masses(scene);
-    let springs = springs(scene, &masses, grid.contact_time);
+    let springs = springs(scene, &masses);
     match (scene.width == 0.0, grid.attraction) {
         (true, true) => {
             let chain = Equal::<true>::new(&springs);

@@ -1,6 +1,6 @@
 //! Forces in the contacts of a chain, and the accelerations of its gaps.
 
-use crate::physics::column::Spring;
+use crate::physics::power_law::Spring;
 
 /// Contacts and masses of a chain. `ATTRACTION` of the implementations says whether
 /// the short attractive end of a contact acts, as in the paper, or is cut off.
