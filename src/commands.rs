@@ -1,7 +1,9 @@
 //! What the program does: one file a subcommand.
 
 pub mod explore;
+mod output;
 pub mod presets;
+mod progress;
 pub mod run;
 mod usage;
 
@@ -9,6 +11,7 @@ use crate::cli::{Cli, Command};
 use crate::scene::parameters::Setting;
 use crate::scene::words::quote;
 use crate::scene::{MethodName, Preset};
+use crate::study::RunError;
 use clap::Parser;
 use explore::ExploreOptions;
 use std::ffi::OsString;
@@ -22,6 +25,12 @@ pub enum Failure {
     BadInput(String),
     /// The input is right, but the run failed; one line.
     Failed(String),
+}
+
+impl From<RunError> for Failure {
+    fn from(error: RunError) -> Self {
+        Self::Failed(error.to_string())
+    }
 }
 
 /// Runs the program: arguments in, exit code out. What goes wrong is told on
@@ -96,6 +105,11 @@ fn setting(text: &str) -> Result<Setting, Failure> {
 
 fn bad_input(error: impl std::fmt::Display) -> Failure {
     Failure::BadInput(error.to_string())
+}
+
+/// A remark on standard error, where it does not mix with the results.
+fn note(remark: &str) {
+    let _ = writeln!(io::stderr(), "beadlab: note: {remark}");
 }
 
 /// What became of printing: a reader that has seen enough is no failure.

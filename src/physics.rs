@@ -11,6 +11,7 @@ mod column;
 mod contacts;
 mod ed;
 mod exact;
+mod flight;
 mod ledger;
 mod linear_law;
 mod md;
@@ -19,6 +20,7 @@ mod observation;
 mod plate;
 mod power_law;
 mod state;
+mod tournament;
 
 pub use linear_law::{LinearLaw, floor_restitution};
 pub use observation::{Energy, Observation};

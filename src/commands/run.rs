@@ -1,17 +1,16 @@
 //! `beadlab run`: a scene without pictures.
 
-mod drive;
-mod measure;
-mod output;
-mod progress;
 mod report;
+mod rows;
 mod series;
 
+use super::output::Output;
+use super::progress::Progress;
 use super::{Failure, load};
 use crate::cli::{Format, RunArgs};
-use drive::Drive;
-use output::Output;
+use crate::study::Drive;
 use std::io::Write;
+use std::ops::ControlFlow;
 
 /// Runs `beadlab run`.
 ///
@@ -28,11 +27,16 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         series::check(&preset.scene, every)?;
     }
     let mut output = Output::open(args.out.as_deref())?;
-    let drive = Drive::new(&preset.scene);
+    let mut progress = Progress::new(preset.scene.duration);
+    let mut watch = |time| {
+        progress.show(time);
+        ControlFlow::Continue(())
+    };
+    let drive = Drive::new(&preset.scene, &mut watch);
     if let Some(every) = args.every {
         return series::print(&preset.scene, drive, every, output);
     }
-    let report = measure::measure(&preset, drive)?;
+    let report = rows::measure(&preset, drive)?;
     let written = output.write_all(report.written(args.format).as_bytes());
     if written.is_err() {
         return output.judge(written);

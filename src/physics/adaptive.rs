@@ -12,7 +12,7 @@ mod extrapolation;
 mod stride;
 
 use super::column::{OVER, masses, nothing_to_come, springs};
-use super::ed::ground::{Free, Ground, Shaken, Weight};
+use super::flight::{Free, Ground, Shaken, Weight};
 use super::ledger::Sum;
 use super::moment::Moment;
 use super::observation::Observation;

@@ -67,9 +67,7 @@ pub(crate) fn springs(scene: &Scene, masses: &[f64]) -> Vec<Spring> {
     };
     let floor = match scene.floor_contact {
         FloorContact::SameSpring => spring(pair_stiffness, masses[0]),
-        FloorContact::SameRestitution => {
-            spring(2.0 * pair_stiffness * masses[0], 2.0 * masses[0])
-        }
+        FloorContact::SameRestitution => spring(2.0 * pair_stiffness * masses[0], 2.0 * masses[0]),
     };
     let pair = |i| spring(pair_stiffness, 2.0 * reduced_mass(masses, i));
     std::iter::once(floor)

@@ -106,7 +106,11 @@ pub fn floor_restitution(scene: &Scene) -> f64 {
     {
         let masses = masses(scene);
         let floor = springs(scene, &masses)[0];
-        return rebound(&alone(&law, &floor, masses[0]), attraction, scene.own_speed());
+        return rebound(
+            &alone(&law, &floor, masses[0]),
+            attraction,
+            scene.own_speed(),
+        );
     }
     match scene.floor_contact {
         FloorContact::SameRestitution => scene.restitution,

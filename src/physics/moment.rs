@@ -46,9 +46,7 @@ impl Moment<'_> {
             kinetic,
             relative: self.relative(momentum / mass),
             potential: self.gravity * height,
-            elastic: elastic
-                .map(|(g, spring)| spring.energy(-g))
-                .sum(),
+            elastic: elastic.map(|(g, spring)| spring.energy(-g)).sum(),
             ..Energy::default()
         }
     }

@@ -174,9 +174,7 @@ impl PowerLaw {
         Self {
             exponents,
             stiffness: rounded((1.0 + 0.5 * beta) * (rate * rate) * depth.powf(-beta)),
-            damping: rounded(
-                self.damping * (0.5 * depth).powf(self.exponents.gamma() - gamma),
-            ),
+            damping: rounded(self.damping * (0.5 * depth).powf(self.exponents.gamma() - gamma)),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The contacts of a column under a power law, and the rates of its motion.
 
 use crate::physics::column::reduced_mass;
-use crate::physics::ed::ground::Ground;
+use crate::physics::flight::Ground;
 use crate::physics::power_law::{Spring, power};
 
 /// A column: its contacts and masses. The state is laid out as gaps, rates, energy lost
@@ -24,9 +24,7 @@ impl Chain {
             springs,
             attraction,
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
-            reduced: (0..masses.len())
-                .map(|i| reduced_mass(masses, i))
-                .collect(),
+            reduced: (0..masses.len()).map(|i| reduced_mass(masses, i)).collect(),
             fall,
         }
     }
@@ -65,7 +63,7 @@ impl Chain {
             pushed[i] = force;
             books[0] += power;
         }
-        if closed[0] && G::PULLS {
+        if closed[0] && G::MOVES {
             books[1] = pushed[0] * ground.plate(t).velocity();
         }
         // From forces to accelerations of the beads, and to those of the gaps below them.

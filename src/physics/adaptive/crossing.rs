@@ -72,8 +72,7 @@ fn first_root(b: [f64; 6], from: f64, to: f64, depth: u32) -> Option<f64> {
     }
     let (left, right) = halves(b);
     let middle = 0.5 * (from + to);
-    first_root(left, from, middle, depth + 1)
-        .or_else(|| first_root(right, middle, to, depth + 1))
+    first_root(left, from, middle, depth + 1).or_else(|| first_root(right, middle, to, depth + 1))
 }
 
 fn halves(mut b: [f64; 6]) -> ([f64; 6], [f64; 6]) {

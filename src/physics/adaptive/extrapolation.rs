@@ -92,10 +92,7 @@ impl Extrapolation {
                 next = (cost, h * factor);
             }
             if good {
-                return Verdict {
-                    good,
-                    next: next.1,
-                };
+                return Verdict { good, next: next.1 };
             }
             if k + 1 == COLUMNS {
                 let factor = if error.is_finite() { factor } else { 0.1 };
@@ -109,13 +106,7 @@ impl Extrapolation {
     }
 
     /// The increment by the midpoint rule in the substeps of row `k`, into `now`.
-    fn midpoint(
-        &mut self,
-        rate: &impl Fn(f64, &[f64], &mut [f64]),
-        y: &[f64],
-        h: f64,
-        k: usize,
-    ) {
+    fn midpoint(&mut self, rate: &impl Fn(f64, &[f64], &mut [f64]), y: &[f64], h: f64, k: usize) {
         let count = substeps(k);
         let step = h / f64::from(count);
         self.before.fill(0.0);
@@ -127,8 +118,7 @@ impl Extrapolation {
                 *value = y + now;
             }
             rate(f64::from(j) * step, &self.value, &mut self.slope);
-            for ((before, now), slope) in
-                self.before.iter_mut().zip(&mut self.now).zip(&self.slope)
+            for ((before, now), slope) in self.before.iter_mut().zip(&mut self.now).zip(&self.slope)
             {
                 (*before, *now) = (*now, *before + 2.0 * step * slope);
             }

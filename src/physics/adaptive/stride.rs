@@ -4,7 +4,7 @@
 use super::chain::Chain;
 use super::crossing::{Course, Fall, Jet};
 use super::extrapolation::Extrapolation;
-use crate::physics::ed::ground::{Ground, closing};
+use crate::physics::flight::{Ground, closing};
 
 /// Part of the scene's tolerance that a step may use up: a contact takes many.
 const SHARE: f64 = 0.1;
@@ -194,13 +194,8 @@ impl<G: Ground> Motion<G> {
     /// What happens first in the step of `h` s last tried, to another gap than `known`.
     fn first_change(&mut self, now: f64, h: f64, known: Option<usize>) -> First {
         let mut slope = std::mem::take(&mut self.end_slope);
-        self.chain.rate(
-            &self.ground,
-            now + h,
-            &self.closed,
-            &self.end,
-            &mut slope,
-        );
+        self.chain
+            .rate(&self.ground, now + h, &self.closed, &self.end, &mut slope);
         let mut first = First::Nothing;
         let mut earliest = f64::INFINITY;
         for i in (0..self.chain.len()).filter(|&i| Some(i) != known) {

@@ -14,7 +14,7 @@ const REFRESH: Duration = Duration::from_millis(100);
 const PARTS: f64 = 1000.0;
 
 /// A bar on standard error, if that is a terminal and the run takes its time.
-pub(super) struct Progress {
+pub(in crate::commands) struct Progress {
     duration: Option<f64>,
     due: Instant,
     bar: Option<ProgressBar>,
