@@ -41,6 +41,15 @@ pub(super) fn build(scene: &Scene, tolerance: f64, state: State) -> Box<dyn Engi
     }
 }
 
+/// The column at a time within the step ahead.
+struct View {
+    /// Simulated time, s.
+    time: f64,
+    /// Time since the epoch, s.
+    t: f64,
+    y: Vec<f64>,
+}
+
 /// A column under a power law.
 struct Adaptive<G> {
     motion: Motion<G>,
@@ -53,7 +62,7 @@ struct Adaptive<G> {
     now: Sum,
     ahead: Option<Ahead>,
     /// A time asked for within the step ahead, and the column then.
-    view: Option<(f64, Vec<f64>)>,
+    view: Option<View>,
     state: State,
     over: bool,
     /// Steps since time last moved on noticeably, and when that was.
@@ -123,7 +132,7 @@ impl<G: Ground + 'static> Adaptive<G> {
     /// The column now: its time since the epoch and what it does.
     fn seen(&self) -> (f64, &[f64]) {
         match &self.view {
-            Some((tau, y)) => (self.now.total() + tau, y),
+            Some(view) => (view.t, &view.y),
             None => (self.now.total(), &self.motion.y),
         }
     }
@@ -144,8 +153,8 @@ impl<G: Ground + 'static> Adaptive<G> {
     /// What is accounted for, up to what is seen.
     fn books(&self) -> Books {
         let mut books = self.state.books.clone();
-        if let Some((_, y)) = &self.view {
-            enter(&mut books, y, self.beads());
+        if let Some(view) = &self.view {
+            enter(&mut books, &view.y, self.beads());
         }
         books
     }
@@ -224,7 +233,10 @@ fn enter(books: &mut Books, y: &[f64], beads: usize) {
 
 impl<G: Ground + 'static> Engine for Adaptive<G> {
     fn time(&self) -> f64 {
-        self.since_epoch(self.seen().0)
+        match &self.view {
+            Some(view) => view.time,
+            None => self.reached(),
+        }
     }
 
     fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
@@ -250,7 +262,8 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
                 let flight = self.ahead.as_ref().is_some_and(|ahead| ahead.flight);
                 let tau = until - self.reached();
                 let y = self.motion.glimpse(self.now.total(), tau, flight);
-                self.view = Some((tau, y));
+                let t = self.now.total() + tau;
+                self.view = Some(View { time: until, t, y });
                 break;
             }
         }

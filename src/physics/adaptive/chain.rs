@@ -79,6 +79,13 @@ impl Chain {
         }
     }
 
+    /// Energy of the contacts' own motion at these speeds, m²/s².
+    pub fn energy(&self, speeds: &[f64]) -> f64 {
+        let each = speeds.iter().zip(&self.reduced);
+        each.map(|(speed, reduced)| 0.5 * reduced * speed * speed)
+            .sum()
+    }
+
     /// The speed of each contact's own motion, from what it moves with and what it stores,
     /// but no less than a faint part of the liveliest, which is returned.
     pub fn speeds(&self, closed: &[bool], y: &[f64], into: &mut [f64]) -> f64 {

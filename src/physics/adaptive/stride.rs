@@ -79,7 +79,7 @@ impl<G: Ground> Motion<G> {
             next: first,
             speeds: vec![0.0; n],
             parted: 0.0,
-            allowed: vec![0.0; 2 * n],
+            allowed: vec![0.0; 2 * n + 1],
             tool: Extrapolation::new(y.len()),
             end: y.clone(),
             end_slope: y.clone(),
@@ -157,6 +157,7 @@ impl<G: Ground> Motion<G> {
             self.allowed[i] = self.tolerance * (overlap + h * speed);
             self.allowed[n + i] = self.tolerance * speed;
         }
+        self.allowed[2 * n] = self.tolerance * self.chain.energy(&self.speeds);
         let (chain, ground, closed) = (&self.chain, &self.ground, &self.closed);
         let rate = |tau: f64, y: &[f64], dy: &mut [f64]| {
             chain.rate(ground, now + tau, closed, y, dy);
