@@ -9,7 +9,10 @@
 
 mod cluster;
 mod crossing;
+mod encounter;
 mod passage;
+mod repose;
+mod rest;
 mod series;
 
 use super::column::{OVER, masses, nothing_to_come, springs};
@@ -23,6 +26,8 @@ use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Law, Method, Scene};
 use cluster::Plan;
 use crossing::ROWS;
+use encounter::Encounter;
+use repose::Repose;
 use series::Coupling;
 
 /// Contact times in a tick of the epoch: times from it are known to 10⁻¹⁴ t_c.
@@ -75,8 +80,12 @@ struct Exact<G> {
     /// 1/m of each bead.
     inverse: Vec<f64>,
     springs: Vec<Spring>,
+    /// How each contact goes when nothing else touches its beads.
+    encounters: Vec<Option<Encounter>>,
     attraction: bool,
     gravity: f64,
+    /// The most that a free lowest gap can accelerate towards the floor, m/s².
+    pull: f64,
     gaps: Vec<Gap>,
     modes: Vec<Mode>,
     /// The first gap of the cluster that each gap is in; itself in flight.
@@ -98,6 +107,7 @@ struct Exact<G> {
     tick: f64,
     /// Now, s from the epoch.
     now: f64,
+    repose: Repose,
     /// Changes in a row that took no time.
     instant: usize,
     over: bool,
@@ -134,9 +144,13 @@ impl<G: Ground> Exact<G> {
         };
         let n = scene.n;
         let masses = masses(scene);
+        let springs = springs(scene, &masses);
+        let shake = state.plate.amplitude * state.plate.omega.powi(2);
         let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
         let mut exact = Self {
-            springs: springs(scene, &masses),
+            encounters: Encounter::all(&springs, &masses),
+            springs,
+            pull: weight(scene) + shake,
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
             attraction,
             gravity: weight(scene),
@@ -154,6 +168,7 @@ impl<G: Ground> Exact<G> {
             ticks: 0.0,
             tick: (TICK * contact_time).log2().round().exp2(),
             now: 0.0,
+            repose: Repose::new(n),
             instant: 0,
             over: false,
             masses,
@@ -261,6 +276,9 @@ impl<G: Ground> Exact<G> {
         let was_closed = self.modes[i] != Mode::Open;
         let closed = mode != Mode::Open;
         self.modes[i] = mode;
+        if i <= self.end[0] {
+            self.repose.disturb();
+        }
         if closed == was_closed {
             return;
         }
