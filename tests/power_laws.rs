@@ -378,3 +378,42 @@ fn a_contact_that_never_ends_does_not_hang() {
     assert!(outcome.is_ok(), "{outcome:?}");
     assert!(look(&*engine).gaps.iter().all(|g| g.is_finite()));
 }
+
+#[test]
+fn fixed_steps_converge_to_the_adaptive_result() {
+    for law in [HERTZ, HKK, TAGUCHI, FREE] {
+        let converged = shares(fig3(adaptive(law, 1e-12), 5));
+        for integrator in support::INTEGRATORS {
+            for attraction in [true, false] {
+                let with = |solver| {
+                    let method = Method::Md {
+                        law: Law::Power(law),
+                        solver,
+                        attraction,
+                    };
+                    shares(fig3(method, 5))
+                };
+                let truth = if attraction {
+                    converged
+                } else {
+                    with(Solver::Adaptive { tolerance: 1e-12 })
+                };
+                let error = |steps_per_contact| {
+                    let (e, r) = with(Solver::Grid {
+                        integrator,
+                        steps_per_contact,
+                    });
+                    (e - truth.0).abs().max((r - truth.1).abs())
+                };
+                // First order at worst: the dashpot of Hertz's law sets in with a jump.
+                let (coarse, fine) = (error(100.0), error(6400.0));
+                assert!(coarse < 2e-2, "{law:?} {integrator:?}: {coarse:e}");
+                assert!(fine < 2e-4, "{law:?} {integrator:?}: {fine:e}");
+                assert!(
+                    fine < 0.2 * coarse,
+                    "{law:?} {integrator:?}: {fine:e} {coarse:e}"
+                );
+            }
+        }
+    }
+}
