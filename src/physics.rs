@@ -16,6 +16,7 @@ mod md;
 mod moment;
 mod observation;
 mod plate;
+pub mod spectrum;
 mod state;
 
 pub use linear_law::{LinearLaw, floor_restitution};

@@ -18,6 +18,7 @@ use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Integrator, Method, Scene, Solver};
 use chain::{Chain, Equal, Unequal};
+pub(super) use gear::CORRECTOR;
 use gear::Gear;
 use ground::{Free, Ground, Shaken, Weight};
 use stepper::Stepper;
