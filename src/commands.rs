@@ -1,9 +1,11 @@
 //! What the program does: one file a subcommand.
 
+pub mod accuracy;
 pub mod explore;
 mod output;
 pub mod presets;
 mod progress;
+mod report;
 pub mod run;
 mod usage;
 
@@ -59,6 +61,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
     };
     match cli.command {
         Some(Command::Run(args)) => run::run(&args),
+        Some(Command::Accuracy(args)) => accuracy::run(&args),
         Some(Command::Presets { action }) => presets::presets(action.as_ref()),
         None => {
             let args = cli.explore;
