@@ -43,6 +43,18 @@ pub enum AccuracyError {
     /// The reference run failed.
     #[error("the reference run failed: {0}")]
     Reference(#[from] RunError),
+    /// The reference would take longer than there is time.
+    #[error(
+        "the reference run takes {} than its share of the time, {share:.1} s; give more with \
+         --budget, or make it shorter",
+        needed.map_or("more".to_owned(), |s| format!("about {s:.1} s, more"))
+    )]
+    TooSlow {
+        /// Wall-clock time for the least part of it that says something, s, where known.
+        needed: Option<f64>,
+        /// The time it had, s.
+        share: f64,
+    },
 }
 
 /// Error against run time of every method that fits the scene.

@@ -56,8 +56,17 @@ pub(super) fn report(
 ) -> Result<Report, AccuracyError> {
     let started = Instant::now();
     tell("the exact run", 0.0);
+    let share = effort.time / 4;
+    let mut in_share = |_| within(started, share);
+    let first = run(Drive::new(reference, &mut in_share), reference, &[]);
+    let first = first.map_err(|error| match error {
+        RunError::Stopped { .. } => AccuracyError::TooSlow {
+            needed: None,
+            share: share.as_secs_f64(),
+        },
+        error => error.into(),
+    })?;
     let mut unwatched = |_| ControlFlow::Continue(());
-    let first = run(Drive::new(reference, &mut unwatched), reference, &[])?;
     let times = sample_times(reference, &first);
     let truth = run(Drive::new(reference, &mut unwatched), reference, &times)?;
     let off = one_ulp_off(reference);

@@ -17,6 +17,9 @@ const LOOKS: usize = 100;
 /// Periods of a scene whose floor stands still.
 const PERIODS: f64 = 100.0;
 
+/// Fewest periods that say something.
+const LEAST_PERIODS: f64 = 2.0;
+
 /// Numbers of a path that are kept, 64 MiB of them.
 const MOST_NUMBERS: usize = 8_000_000;
 
@@ -107,9 +110,15 @@ pub(super) fn report(
     let truth = match run(Start::Exactly, reference, looks, share) {
         Ok(run) => run,
         // As far as the time allows, in whole periods; all others go as far.
-        Err((RunError::Stopped { time }, _)) if time > 2.0 * looks.period => {
+        Err((RunError::Stopped { time }, _)) if time > LEAST_PERIODS * looks.period => {
             looks.duration = (time / looks.period).floor() * looks.period;
             run(Start::Exactly, reference, looks, 4 * share).map_err(|e| e.0)?
+        }
+        Err((RunError::Stopped { time }, seconds)) => {
+            return Err(AccuracyError::TooSlow {
+                needed: (time > 0.0).then(|| seconds * LEAST_PERIODS * looks.period / time),
+                share: share.as_secs_f64(),
+            });
         }
         Err((error, _)) => return Err(error.into()),
     };
@@ -271,6 +280,13 @@ impl Run {
             return None;
         }
         let value = relative.value / kinetic.value;
+        if value < f64::EPSILON {
+            // A single bead, or a cluster whose differences are rounding.
+            return Some(Mean {
+                value: 0.0,
+                error: None,
+            });
+        }
         // What each period adds to the ratio's deviation.
         let deviations = self.mean(|b| (b.relative - value * b.kinetic) / kinetic.value)?;
         Some(Mean {
