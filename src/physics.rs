@@ -10,6 +10,7 @@ mod column;
 mod contacts;
 mod ed;
 mod exact;
+mod flight;
 mod ledger;
 mod linear_law;
 mod md;
@@ -18,6 +19,7 @@ mod observation;
 mod plate;
 pub mod spectrum;
 mod state;
+mod tournament;
 
 pub use linear_law::{LinearLaw, floor_restitution};
 pub use observation::{Energy, Observation};
