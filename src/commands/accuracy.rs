@@ -9,6 +9,7 @@ use std::time::Duration;
 
 /// Wall-clock time of a report where nobody says otherwise.
 const TIME: Duration = Duration::from_secs(20);
+const PLATE_TIME: Duration = Duration::from_secs(60);
 const QUICK_TIME: Duration = Duration::from_secs(4);
 
 /// Runs `beadlab accuracy`.
@@ -19,7 +20,11 @@ const QUICK_TIME: Duration = Duration::from_secs(4);
 pub fn run(args: &AccuracyArgs) -> Result<(), Failure> {
     let preset = load(&args.preset, None, &args.settings)?;
     let destination = Destination::open(&args.report)?;
-    let common = if args.report.quick { QUICK_TIME } else { TIME };
+    let common = match preset.scene.gravity {
+        _ if args.report.quick => QUICK_TIME,
+        Some(_) => PLATE_TIME,
+        None => TIME,
+    };
     let effort = Effort {
         quick: args.report.quick,
         time: args.budget.map_or(common, Duration::from_secs_f64),
@@ -30,7 +35,7 @@ pub fn run(args: &AccuracyArgs) -> Result<(), Failure> {
     })
     .map_err(|error| match error {
         AccuracyError::Scene(error) => bad_input(error),
-        AccuracyError::Reference(error) => error.into(),
+        error => Failure::Failed(error.to_string()),
     })?;
     drop(waiting);
     destination.write(&report.of(&preset.scene, &preset.name))

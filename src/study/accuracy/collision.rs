@@ -64,7 +64,7 @@ pub(super) fn report(
             needed: None,
             share: share.as_secs_f64(),
         },
-        error => error.into(),
+        error @ RunError::Engine(_) => error.into(),
     })?;
     let mut unwatched = |_| ControlFlow::Continue(());
     let times = sample_times(reference, &first);

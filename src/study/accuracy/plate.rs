@@ -14,6 +14,9 @@ use std::time::{Duration, Instant};
 /// Looks at the column in a period.
 const LOOKS: usize = 100;
 
+/// Parts of a period in each of which the largest distance is taken.
+const WINDOWS: usize = 10;
+
 /// Periods of a scene whose floor stands still.
 const PERIODS: f64 = 100.0;
 
@@ -61,6 +64,13 @@ struct Looks {
     duration: f64,
 }
 
+impl Looks {
+    /// The part of a period in which a distance is taken, s.
+    fn window(self) -> f64 {
+        self.period / WINDOWS as f64
+    }
+}
+
 /// How the distance from the reference grows.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Growth {
@@ -82,7 +92,7 @@ struct Row {
     name: &'static str,
     setting: String,
     outcome: Result<Run, (RunError, f64)>,
-    /// Largest distance of a bead from the reference in each period, m.
+    /// Largest distance of a bead from the reference in each tenth of a period, m.
     distances: Vec<f64>,
     growth: Growth,
 }
@@ -105,26 +115,32 @@ pub(super) fn report(
             _ => candidate.method != MethodName::Exact,
         })
         .collect();
-    let share = effort.time / u32::try_from(all.len() + 2).unwrap_or(u32::MAX);
+    let started = Instant::now();
+    // What one run leaves is for those that follow.
+    let share = |left: usize| {
+        let rest = effort.time.saturating_sub(started.elapsed());
+        rest / u32::try_from(left).unwrap_or(u32::MAX)
+    };
+    let first = share(all.len() + 2);
     tell("the exact run", 0.0);
-    let truth = match run(Start::Exactly, reference, looks, share) {
+    let truth = match run(Start::Exactly, reference, looks, first) {
         Ok(run) => run,
         // As far as the time allows, in whole periods; all others go as far.
         Err((RunError::Stopped { time }, _)) if time > LEAST_PERIODS * looks.period => {
             looks.duration = (time / looks.period).floor() * looks.period;
-            run(Start::Exactly, reference, looks, 4 * share).map_err(|e| e.0)?
+            run(Start::Exactly, reference, looks, 4 * first).map_err(|e| e.0)?
         }
         Err((RunError::Stopped { time }, seconds)) => {
             return Err(AccuracyError::TooSlow {
                 needed: (time > 0.0).then(|| seconds * LEAST_PERIODS * looks.period / time),
-                share: share.as_secs_f64(),
+                share: first.as_secs_f64(),
             });
         }
         Err((error, _)) => return Err(error.into()),
     };
     let mut rows = Vec::new();
     tell("the exact run, one bit off", 0.0);
-    let near = run(Start::OneUlpOff, reference, looks, 4 * share);
+    let near = run(Start::OneUlpOff, reference, looks, 4 * first);
     rows.push(row(
         "exact",
         "last bit".to_owned(),
@@ -139,7 +155,12 @@ pub(super) fn report(
             &format!("{name} {}", candidate.setting()),
             (k + 2) as f64 / (all.len() + 2) as f64,
         );
-        let outcome = run(Start::Exactly, &candidate.scene, looks, share);
+        let outcome = run(
+            Start::Exactly,
+            &candidate.scene,
+            looks,
+            share(all.len() - k),
+        );
         rows.push(row(
             name,
             candidate.setting(),
@@ -230,7 +251,11 @@ fn row(
         Ok(run) => distances(run, truth, scene.n),
         Err(_) => Vec::new(),
     };
-    let growth = growth(&distances, looks.period, scene.diameter);
+    let mut growth = growth(&distances, looks.window(), scene.diameter);
+    if name == MethodName::Ed.as_str() {
+        // Another model is not an error that grows.
+        growth.rate = None;
+    }
     Row {
         name,
         setting,
@@ -240,7 +265,7 @@ fn row(
     }
 }
 
-/// Largest distance of any bead in each whole period.
+/// Largest distance of any bead in each tenth of a period.
 fn distances(run: &Run, truth: &Run, n: usize) -> Vec<f64> {
     let apart: Vec<f64> = run
         .path
@@ -249,21 +274,23 @@ fn distances(run: &Run, truth: &Run, n: usize) -> Vec<f64> {
         .map(|(a, b)| (a - b).abs())
         .collect();
     apart
-        .chunks_exact(n * LOOKS)
-        .map(|period| period.iter().fold(0.0, |a, &b| f64::max(a, b)))
+        .chunks_exact(n * LOOKS / WINDOWS)
+        .map(|window| window.iter().fold(0.0, |a, &b| f64::max(a, b)))
         .collect()
 }
 
 /// The rate is that of the line through the logarithms up to the parting.
-fn growth(distances: &[f64], period: f64, diameter: f64) -> Growth {
+fn growth(distances: &[f64], window: f64, diameter: f64) -> Growth {
     let end = distances.iter().position(|&d| d > PARTED * diameter);
     let before = &distances[..end.unwrap_or(distances.len())];
-    let point = |(k, d): (usize, &f64)| (*d > 0.0).then(|| (k as f64 * period, d.ln()));
+    let point = |(k, d): (usize, &f64)| (*d > 0.0).then(|| (k as f64 * window, d.ln()));
     let points: Vec<_> = before.iter().enumerate().filter_map(point).collect();
     Growth {
-        // Two points make no trend.
-        rate: (points.len() >= 4).then(|| slope(&points)).flatten(),
-        parted: end.map(|k| (k + 1) as f64 * period),
+        // Less than half a period makes no trend.
+        rate: (points.len() >= WINDOWS / 2)
+            .then(|| slope(&points))
+            .flatten(),
+        parted: end.map(|k| (k + 1) as f64 * window),
     }
 }
 

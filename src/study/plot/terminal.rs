@@ -157,23 +157,25 @@ fn fill(plot: &Plot, field: &mut Field, (x, y): (Bounds, Bounds)) {
         }
     }
     for (k, (series, parts)) in plot.series.iter().zip(&parts).enumerate() {
-        if series.look != Look::Line {
-            for &part in parts {
-                field.mark(part, marker(k));
-            }
-        } else {
-            // A line alone has no other name to be told apart by.
-            for m in 0..LINE_MARKS {
-                let shift = (k + 1) as f64 / (plot.series.len() + 1) as f64;
-                let wanted = (m as f64 + shift) / LINE_MARKS as f64;
-                let distance = |part: &(f64, f64)| (part.0 - wanted).abs();
-                let nearest = parts
-                    .iter()
-                    .min_by(|a, b| distance(a).total_cmp(&distance(b)));
-                if let Some(&part) = nearest {
-                    field.mark(part, marker(k));
-                }
-            }
+        match series.look {
+            Look::Line => mark_line(field, parts, k, plot.series.len()),
+            _ => parts.iter().for_each(|&part| field.mark(part, marker(k))),
+        }
+    }
+}
+
+/// A few markers on a line, which has no other name to be told apart by; those of
+/// other lines are beside them.
+fn mark_line(field: &mut Field, parts: &[(f64, f64)], k: usize, lines: usize) {
+    let shift = (k + 1) as f64 / (lines + 1) as f64;
+    for m in 0..LINE_MARKS {
+        let wanted = (m as f64 + shift) / LINE_MARKS as f64;
+        let distance = |part: &(f64, f64)| (part.0 - wanted).abs();
+        let nearest = parts
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        if let Some(&part) = nearest {
+            field.mark(part, marker(k));
         }
     }
 }

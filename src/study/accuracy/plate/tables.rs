@@ -1,6 +1,6 @@
 //! The report on a column under gravity.
 
-use super::{Looks, Mean, PARTED, Row, Run, SETTLING};
+use super::{Looks, Mean, PARTED, Row, Run, SETTLING, WINDOWS};
 use crate::scene::Scene;
 use crate::study::RunError;
 use crate::study::accuracy::Report;
@@ -49,7 +49,7 @@ fn parting(rows: &[Row], scene: &Scene, looks: Looks) -> Table {
         table.push([
             row.name.into(),
             row.setting.clone().into(),
-            row.distances.first().map(|d| d / scene.diameter).into(),
+            first_period(row).map(|d| d / scene.diameter).into(),
             row.growth.rate.into(),
             row.growth.rate.map(|rate| rate * looks.period).into(),
             row.growth.parted.into(),
@@ -60,18 +60,24 @@ fn parting(rows: &[Row], scene: &Scene, looks: Looks) -> Table {
         ]);
     }
     table.notes.push(format!(
-        "Distance: the largest of any bead in a {} of {:.4} s. Two runs have parted when it \
-         exceeds {PARTED} d; the growth is fitted before that. The first row starts one bit \
+        "Distance: the largest of any bead. Two runs have parted when it exceeds {PARTED} d; \
+         the growth is fitted before that. A period is {}{:.4} s. The first row starts one bit \
          off and is as right as the reference: no method can stay with it longer. Hard \
          spheres (ed) solve another problem.",
         if scene.period().is_some() {
-            "plate period"
+            "the plate's, "
         } else {
-            "hundredth of the run"
+            "a hundredth of the run, "
         },
         looks.period
     ));
     table
+}
+
+/// The largest distance in the first period, m.
+fn first_period(row: &Row) -> Option<f64> {
+    let distances = row.distances.iter().take(WINDOWS).copied();
+    distances.reduce(f64::max)
 }
 
 /// Why a run has no end, with the time that it would take.
@@ -139,9 +145,15 @@ fn of_one(name: &str, setting: &str, run: &Run, truth: Option<&Run>) -> Vec<Cell
 
 fn plot(rows: &[Row], looks: Looks) -> Plot {
     let series = rows.iter().filter(|row| !row.distances.is_empty());
+    // What comes after the parting is as far apart as two runs can be.
+    let parted = rows.iter().filter_map(|row| row.growth.parted);
+    let end = parted
+        .reduce(f64::max)
+        .map_or(f64::INFINITY, |t| 1.5 * t + looks.period);
     let points = |row: &Row| {
-        let at = |(k, d): (usize, &f64)| ((k + 1) as f64 * looks.period, *d);
-        row.distances.iter().enumerate().map(at).collect()
+        let at = |(k, d): (usize, &f64)| ((k + 1) as f64 * looks.window(), *d);
+        let points = row.distances.iter().enumerate().map(at);
+        points.take_while(|&(t, _)| t <= end).collect()
     };
     let named = |row: &Row| {
         format!("{} {}", row.name, row.setting)
