@@ -36,6 +36,13 @@ Examples:
   beadlab accuracy fig7-md               a chaotic plate: when runs part, and means
   beadlab accuracy --out report          also as CSV, JSON and SVG, in a folder";
 
+const STABILITY_EXAMPLES: &str = "\
+Examples:
+  beadlab stability                      every method on every case
+  beadlab stability --steps              the largest stable steps alone
+  beadlab stability --budget 10          more time for what is slow
+  beadlab stability --format json        every verdict in full";
+
 const PRESET_EXAMPLES: &str = "\
 A scene of your own:
   beadlab presets show fig5b > my-column.toml
@@ -68,6 +75,9 @@ pub enum Command {
     /// Error against run time of every method that fits a scene
     #[command(after_help = ACCURACY_EXAMPLES)]
     Accuracy(AccuracyArgs),
+    /// Where each method breaks: stiff and extreme cases, and the largest stable step
+    #[command(after_help = STABILITY_EXAMPLES)]
+    Stability(StabilityArgs),
     /// List the presets, show one as TOML, or check files of your own
     #[command(after_help = PRESET_EXAMPLES)]
     Presets {
@@ -143,6 +153,22 @@ pub struct AccuracyArgs {
     /// Time for all runs together, in seconds of yours
     #[arg(long, value_name = "SECONDS", value_parser = budget, allow_hyphen_values = true)]
     pub budget: Option<f64>,
+
+    /// How it is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
+}
+
+/// Arguments of `beadlab stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArgs {
+    /// Time for one run, in seconds of yours
+    #[arg(long, value_name = "SECONDS", value_parser = budget, allow_hyphen_values = true)]
+    pub budget: Option<f64>,
+
+    /// Only the largest stable steps, found and foretold
+    #[arg(long)]
+    pub steps: bool,
 
     /// How it is reported.
     #[command(flatten)]

@@ -7,6 +7,7 @@ pub mod presets;
 mod progress;
 mod report;
 pub mod run;
+pub mod stability;
 mod usage;
 
 use crate::cli::{Cli, Command};
@@ -62,6 +63,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
     match cli.command {
         Some(Command::Run(args)) => run::run(&args),
         Some(Command::Accuracy(args)) => accuracy::run(&args),
+        Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Presets { action }) => presets::presets(action.as_ref()),
         None => {
             let args = cli.explore;

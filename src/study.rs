@@ -8,6 +8,7 @@ mod drive;
 mod fit;
 mod measure;
 pub mod plot;
+pub mod stability;
 pub mod table;
 mod vary;
 
