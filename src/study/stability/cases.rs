@@ -174,7 +174,7 @@ impl Case {
     /// What differs from the base, as it would be set on the command line.
     pub fn settings(&self) -> String {
         let values = self.values.iter();
-        let set: Vec<_> = values.map(|(name, x)| format!("{name}={x:?}")).collect();
+        let set: Vec<_> = values.map(|(name, x)| format!("{name}={x}")).collect();
         format!("{} {}", self.base.preset(), set.join(" "))
             .trim_end()
             .to_owned()
@@ -203,7 +203,8 @@ fn scene(base: Base, values: &[(&'static str, f64)]) -> Result<Scene, SceneError
     let preset = Preset::load(base.preset()).expect("the preset is embedded");
     let mut layer = Vec::new();
     for &(name, x) in values {
-        layer.push(Setting::read(name, &format!("{x:?}").replace(".0", ""))?);
+        // A whole number is written without a point.
+        layer.push(Setting::read(name, &x.to_string())?);
     }
     let scene = preset.with(Some(MethodName::Exact), &layer)?.scene;
     let duration = match base {
