@@ -9,7 +9,7 @@ use crate::study::stability::{grid, steps_table};
 use std::time::Duration;
 
 /// Wall-clock time of one run where nobody says otherwise.
-const TIME: Duration = Duration::from_secs(1);
+const TIME: Duration = Duration::from_secs(2);
 const QUICK_TIME: Duration = Duration::from_millis(100);
 
 /// Runs `beadlab stability`.
