@@ -35,11 +35,11 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         progress.show(time);
         ControlFlow::Continue(())
     };
-    let drive = Drive::new(&preset.scene, &mut watch);
     if let Some(every) = args.every {
+        let drive = Drive::new(&preset.scene, &mut watch);
         return series::print(&preset.scene, drive, every, output);
     }
-    let report = rows::measure(&preset, drive)?;
+    let report = rows::measure(&preset, args.sensitivity, &mut watch)?;
     let written = output.write_all(report.written(args.format).as_bytes());
     if written.is_err() {
         return output.judge(written);
