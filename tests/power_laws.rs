@@ -456,6 +456,11 @@ fn any(seed: u64) -> Facts {
         attraction: dice.roll() < 0.5,
     };
     let contact_time = law.contact_time(speed);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "1 to 8"
+    )]
     let n = 1 + (dice.roll() * 8.0) as usize;
     let launched = Facts {
         n,
