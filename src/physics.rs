@@ -19,6 +19,7 @@ mod moment;
 mod observation;
 mod plate;
 mod power_law;
+pub mod spectrum;
 mod state;
 mod tournament;
 

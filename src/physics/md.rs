@@ -20,6 +20,7 @@ use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{self, Floor, Integrator, Method, Scene, Solver};
 use chain::{Chain, Equal, Law, Linear, Unequal};
+pub(super) use gear::CORRECTOR;
 use gear::Gear;
 use ground::{Free, Ground, Shaken, Weight};
 use powered::Powered;
