@@ -65,6 +65,15 @@ pub enum EngineError {
         /// The last step, s.
         step: f64,
     },
+    /// Strongly damped contacts that let go ever more slowly, and never to an end.
+    #[error(
+        "the contacts only creep from t = {time:.6e} s on: with so much damping they never \
+         let go, and the collision never ends"
+    )]
+    Creeping {
+        /// When it was noticed, s.
+        time: f64,
+    },
     /// Hard spheres produced a state that cannot be.
     #[error("the event engine lost the column at t = {time:.6e} s, bead {bead}: {what}")]
     Lost {
