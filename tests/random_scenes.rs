@@ -5,7 +5,7 @@ mod support;
 
 use beadlab::physics::build;
 use beadlab::scene::{
-    Facts, Floor, FloorContact, Integrator, Method, Scene, Solver, Start, angular,
+    Facts, Floor, FloorContact, Integrator, Law, Method, Scene, Solver, Start, angular,
 };
 use support::{ED, G, fig1, look, shaken};
 
@@ -126,7 +126,9 @@ fn edits_in_any_order_keep_the_column_whole() {
     let mut dice = Dice(2);
     for k in 0..40 {
         let soft = Method::Md {
-            contact_time: dice.decades(-5.0, -3.0),
+            law: Law::Hooke {
+                contact_time: dice.decades(-5.0, -3.0),
+            },
             solver: Solver::Grid {
                 integrator: Integrator::Verlet,
                 steps_per_contact: 40.0,

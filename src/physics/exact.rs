@@ -9,19 +9,25 @@
 
 mod cluster;
 mod crossing;
+mod encounter;
 mod passage;
+mod repose;
+mod rest;
 mod series;
 
-use super::column::{OVER, Spring, masses, nothing_to_come, springs};
+use super::column::{OVER, masses, nothing_to_come, springs};
 use super::flight::{Free, Ground, Shaken, Weight};
 use super::moment::Moment;
 use super::observation::Observation;
+use super::power_law::Spring;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{Floor, Method, Scene};
+use crate::scene::{Floor, Law, Method, Scene};
 use cluster::Plan;
 use crossing::ROWS;
+use encounter::Encounter;
+use repose::Repose;
 use series::Coupling;
 
 /// Contact times in a tick of the epoch: times from it are known to 10⁻¹⁴ t_c.
@@ -74,8 +80,12 @@ struct Exact<G> {
     /// 1/m of each bead.
     inverse: Vec<f64>,
     springs: Vec<Spring>,
+    /// How each contact goes when nothing else touches its beads.
+    encounters: Vec<Option<Encounter>>,
     attraction: bool,
     gravity: f64,
+    /// The most that a free lowest gap can accelerate towards the floor, m/s².
+    pull: f64,
     gaps: Vec<Gap>,
     modes: Vec<Mode>,
     /// The first gap of the cluster that each gap is in; itself in flight.
@@ -97,6 +107,7 @@ struct Exact<G> {
     tick: f64,
     /// Now, s from the epoch.
     now: f64,
+    repose: Repose,
     /// Changes in a row that took no time.
     instant: usize,
     over: bool,
@@ -124,18 +135,22 @@ impl Room {
 impl<G: Ground> Exact<G> {
     fn new(scene: &Scene, state: State, ground: G) -> Self {
         let Method::Md {
-            contact_time,
+            law: Law::Hooke { contact_time },
             attraction,
             ..
         } = scene.method
         else {
-            unreachable!("physics::build hands soft scenes to this room");
+            unreachable!("physics::build hands linear scenes to this room");
         };
         let n = scene.n;
         let masses = masses(scene);
+        let springs = springs(scene, &masses);
+        let shake = state.plate.amplitude * state.plate.omega.powi(2);
         let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
         let mut exact = Self {
-            springs: springs(scene, &masses, contact_time),
+            encounters: Encounter::all(&springs, &masses),
+            springs,
+            pull: weight(scene) + shake,
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
             attraction,
             gravity: weight(scene),
@@ -153,6 +168,7 @@ impl<G: Ground> Exact<G> {
             ticks: 0.0,
             tick: (TICK * contact_time).log2().round().exp2(),
             now: 0.0,
+            repose: Repose::new(n),
             instant: 0,
             over: false,
             masses,
@@ -260,6 +276,9 @@ impl<G: Ground> Exact<G> {
         let was_closed = self.modes[i] != Mode::Open;
         let closed = mode != Mode::Open;
         self.modes[i] = mode;
+        if i <= self.end[0] {
+            self.repose.disturb();
+        }
         if closed == was_closed {
             return;
         }

@@ -7,9 +7,10 @@
 //! beads are such a column. Otherwise the stiffest spring mode and the most damped
 //! dashpot mode are taken for one, which is on the safe side.
 
-use super::column::{Spring, masses, springs};
+use super::column::{masses, springs};
 use super::md::CORRECTOR;
-use crate::scene::{Integrator, Method, Scene, Solver};
+use super::power_law::Spring;
+use crate::scene::{Integrator, Law, Method, Scene, Solver};
 use nalgebra::{DMatrix, Matrix3, Matrix6, RowVector3, RowVector6, Schur, Vector6};
 use std::f64::consts::PI;
 
@@ -33,11 +34,13 @@ pub struct Mode {
 }
 
 /// The stiffest mode of the scene's column when all contacts are closed; none for
-/// hard spheres.
+/// hard spheres and for power laws, whose stiffness depends on the overlap.
 pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
-    let contact_time = scene.contact_time().filter(|_| scene.is_md())?;
+    let Some(Law::Hooke { .. }) = scene.law() else {
+        return None;
+    };
     let masses = masses(scene);
-    let springs = springs(scene, &masses, contact_time);
+    let springs = springs(scene, &masses);
     let uniform = scene.width == 0.0 && springs.iter().all(|s| s.stiffness == springs[0].stiffness);
     let stiffness = if uniform {
         // Modes of a chain of equal springs, held below and free above.
@@ -57,7 +60,7 @@ pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
 }
 
 /// The largest time step, s, with which an integrator is stable on the scene's column
-/// when all contacts are closed; none for hard spheres.
+/// when all contacts are closed; none where there is no [`stiffest_mode`].
 pub fn largest_stable_step(scene: &Scene, integrator: Integrator) -> Option<f64> {
     let mode = stiffest_mode(scene)?;
     let stable = |h: f64| growth(mode, h, integrator) <= 1.0 + ROUNDING;

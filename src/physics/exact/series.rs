@@ -10,7 +10,7 @@
 )]
 
 use super::crossing::{Polynomial, ROWS};
-use crate::physics::column::Spring;
+use crate::physics::power_law::Spring;
 
 /// Largest phase ρh of one step, ρ the fastest rate of the cluster: the terms left out
 /// are below 2²⁵/25!, 2·10⁻¹⁸ of the motion.
@@ -20,7 +20,7 @@ pub(super) const PHASE: f64 = 2.0;
 pub(super) const NEGLIGIBLE: f64 = 1e-17;
 
 /// What a cluster's gaps are coupled by, a value a gap; all padded with zeros.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Coupling {
     /// K h², zero where no force acts.
     pub stiffness: Vec<f64>,

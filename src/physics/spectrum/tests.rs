@@ -18,7 +18,9 @@ fn scene(n: usize, restitution: f64, width: f64, integrator: Integrator, steps: 
         gravity: Some(9.81),
         floor: Floor::Fixed,
         method: Method::Md {
-            contact_time: CONTACT_TIME,
+            law: Law::Hooke {
+                contact_time: CONTACT_TIME,
+            },
             solver: Solver::Grid {
                 integrator,
                 steps_per_contact: steps,
@@ -76,7 +78,7 @@ fn stiffest_mode_is_that_of_the_dense_matrix() {
             };
             let scene = Scene::new(facts).expect("a valid scene");
             let masses = masses(&scene);
-            let springs = springs(&scene, &masses, CONTACT_TIME);
+            let springs = springs(&scene, &masses);
             let largest = |m: DMatrix<f64>| m.symmetric_eigenvalues().max();
             let mode = stiffest_mode(&scene).expect("soft contacts");
             let stiffness = largest(dense(&masses, &springs, |s| s.stiffness));

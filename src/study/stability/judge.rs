@@ -232,6 +232,7 @@ fn unfinished(ending: &Ending) -> Verdict {
             let time = match error {
                 EngineError::Unstable { time, .. }
                 | EngineError::BeyondTime { time, .. }
+                | EngineError::Stuck { time, .. }
                 | EngineError::Lost { time, .. } => *time,
             };
             Verdict::Breaks(time, error.to_string())
