@@ -137,12 +137,13 @@ fn from(scene: &Scene, truth: &Numbers, budget: Duration, end: Option<f64>) -> O
 }
 
 /// The scene with its beads farther apart by the way that they go in a step of the
-/// checking grid.
+/// coarser checking grid.
 fn below_the_grid(scene: &Scene) -> Option<Scene> {
     let Start::Separated { s0, v0, .. } = scene.start else {
         return None;
     };
-    let step = v0.abs() * scene.contact_time()? / CHECK_STEPS[0];
+    let fallen = (2.0 * scene.gravity.unwrap_or(0.0) * s0).sqrt();
+    let step = v0.abs().max(fallen) * scene.contact_time()? / CHECK_STEPS[1];
     vary(scene, None, &[("s0", Value::Number(s0 + step))]).ok()
 }
 
