@@ -34,13 +34,13 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         progress.show(time);
         ControlFlow::Continue(())
     };
-    let drive = Drive::new(&preset.scene, &mut watch);
     if let Some(every) = args.every {
+        let drive = Drive::new(&preset.scene, &mut watch);
         series::print(&preset.scene, drive, every, output)?;
         warn_of_steps(&preset.scene);
         return Ok(());
     }
-    let report = rows::measure(&preset, drive)?;
+    let report = rows::measure(&preset, args.sensitivity, &mut watch)?;
     warn_of_steps(&preset.scene);
     let written = output.write_all(report.written(args.format).as_bytes());
     if written.is_err() {

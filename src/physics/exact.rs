@@ -30,8 +30,10 @@ use encounter::Encounter;
 use repose::Repose;
 use series::Coupling;
 
-/// Contact times in a tick of the epoch: times from it are known to 10⁻¹⁴ t_c.
-const TICK: f64 = 64.0;
+/// Contact times in a tick of the epoch. What is known of a time is a bit of its distance
+/// from the epoch, and of a flight through a gap a bit of its length: ticks are short,
+/// so that clocks lose no more than gaps do.
+const TICK: f64 = 2.0;
 /// Places behind the last gap: whole lanes, and the forces at both ends.
 const PADDING: usize = 6;
 /// Events between two looks whether creeping contacts have spent all energy.

@@ -69,7 +69,7 @@ pub(super) fn report(
     let mut unwatched = |_| ControlFlow::Continue(());
     let times = sample_times(reference, &first);
     let truth = run(Drive::new(reference, &mut unwatched), reference, &times)?;
-    let off = one_ulp_off(reference);
+    let off = one_ulp_off(reference, 0);
     let near = run(Drive::of(off, reference, &mut unwatched), reference, &times)?;
     let scale = unit_of_length(reference);
     let sensitivity = errors(&near, &truth, scale);

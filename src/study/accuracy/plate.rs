@@ -195,7 +195,7 @@ fn run(from: Start, scene: &Scene, looks: Looks, most: Duration) -> Result<Run, 
     };
     let mut drive = match from {
         Start::Exactly => Drive::new(scene, &mut in_time),
-        Start::OneUlpOff => Drive::of(one_ulp_off(scene), scene, &mut in_time),
+        Start::OneUlpOff => Drive::of(one_ulp_off(scene, 0), scene, &mut in_time),
     };
     let mut run = Run::default();
     let followed = follow(&mut drive, scene.n, looks, &mut run);

@@ -184,7 +184,7 @@ fn reference(
         };
         return (unfinished(exact), truth);
     };
-    let near = run(scene, Some(one_ulp_off(scene)), budget, end);
+    let near = run(scene, Some(one_ulp_off(scene, 0)), budget, end);
     let last_bit = match &near {
         Ending::Done { numbers: near, .. } => Some(distance(near, numbers)),
         _ => None,
