@@ -1,0 +1,22 @@
+//! Seeded random numbers for tests.
+
+/// Numbers in [0, 1), the same in every run.
+pub struct Dice(pub u64);
+
+impl Dice {
+    pub fn roll(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub fn chance(&mut self, p: f64) -> bool {
+        self.roll() < p
+    }
+
+    pub fn decades(&mut self, from: f64, to: f64) -> f64 {
+        10_f64.powf(from + (to - from) * self.roll())
+    }
+}
