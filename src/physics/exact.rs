@@ -9,7 +9,10 @@
 
 mod cluster;
 mod crossing;
+mod encounter;
 mod passage;
+mod repose;
+mod rest;
 mod series;
 
 use super::column::{OVER, Spring, masses, nothing_to_come, springs};
@@ -22,6 +25,8 @@ use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Method, Scene};
 use cluster::Plan;
 use crossing::ROWS;
+use encounter::Encounter;
+use repose::Repose;
 use series::Coupling;
 
 /// Contact times in a tick of the epoch: times from it are known to 10⁻¹⁴ t_c.
@@ -74,8 +79,12 @@ struct Exact<G> {
     /// 1/m of each bead.
     inverse: Vec<f64>,
     springs: Vec<Spring>,
+    /// How each contact goes when nothing else touches its beads.
+    encounters: Vec<Option<Encounter>>,
     attraction: bool,
     gravity: f64,
+    /// The most that a free lowest gap can accelerate towards the floor, m/s².
+    pull: f64,
     gaps: Vec<Gap>,
     modes: Vec<Mode>,
     /// The first gap of the cluster that each gap is in; itself in flight.
@@ -97,6 +106,7 @@ struct Exact<G> {
     tick: f64,
     /// Now, s from the epoch.
     now: f64,
+    repose: Repose,
     /// Changes in a row that took no time.
     instant: usize,
     over: bool,
@@ -133,9 +143,13 @@ impl<G: Ground> Exact<G> {
         };
         let n = scene.n;
         let masses = masses(scene);
+        let springs = springs(scene, &masses, contact_time);
+        let shake = state.plate.amplitude * state.plate.omega.powi(2);
         let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
         let mut exact = Self {
-            springs: springs(scene, &masses, contact_time),
+            encounters: Encounter::all(&springs, &masses),
+            springs,
+            pull: weight(scene) + shake,
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
             attraction,
             gravity: weight(scene),
@@ -153,6 +167,7 @@ impl<G: Ground> Exact<G> {
             ticks: 0.0,
             tick: (TICK * contact_time).log2().round().exp2(),
             now: 0.0,
+            repose: Repose::new(n),
             instant: 0,
             over: false,
             masses,
@@ -260,6 +275,9 @@ impl<G: Ground> Exact<G> {
         let was_closed = self.modes[i] != Mode::Open;
         let closed = mode != Mode::Open;
         self.modes[i] = mode;
+        if i <= self.end[0] {
+            self.repose.disturb();
+        }
         if closed == was_closed {
             return;
         }

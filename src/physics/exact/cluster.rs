@@ -19,6 +19,10 @@ pub(super) enum Plan {
         /// Which gap changes there, and to what.
         change: Option<(usize, Mode)>,
     },
+    /// One contact, just closed, whose beads meet alone until it opens.
+    Encounter(usize),
+    /// A stack at rest on the floor, in which nothing can open before the plan ends.
+    Rest,
 }
 
 impl<G: Ground> Exact<G> {
@@ -60,6 +64,12 @@ impl<G: Ground> Exact<G> {
             } else {
                 closing(t, g, w)
             }
+        } else if let Some((i, lasts)) = self.plan_encounter(low, high) {
+            self.plans[low] = Plan::Encounter(i);
+            t + lasts
+        } else if let Some(until) = self.plan_rest(low, high) {
+            self.plans[low] = Plan::Rest;
+            until
         } else {
             self.plan_series(low, high)
         };

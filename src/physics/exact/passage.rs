@@ -18,6 +18,8 @@ impl<G: Ground> Exact<G> {
         let change = match self.plans[low] {
             Plan::Flight => Some((low, Mode::Pushing)),
             Plan::Series { change, .. } => change,
+            Plan::Encounter(i) => Some((i, Mode::Open)),
+            Plan::Rest => None,
         };
         self.bring(low, t);
         change
@@ -69,14 +71,19 @@ impl<G: Ground> Exact<G> {
                 let s = self.progress(low, t, h, reach);
                 self.series(low, h).evaluate(s, gaps, rates);
             }
+            Plan::Encounter(i) => self.at_encounter(low, i, t, gaps, rates),
+            Plan::Rest => self.at_rest(t, gaps, rates),
         }
     }
 
     /// Books what the cluster that starts at `low` has lost, and the plate's work on
     /// it, from its own time up to `t`.
     pub(super) fn account(&self, low: usize, t: f64, ledger: &mut Ledger, room: &mut Room) {
-        let Plan::Series { h, reach, .. } = self.plans[low] else {
-            return;
+        let (h, reach) = match self.plans[low] {
+            Plan::Flight => return,
+            Plan::Series { h, reach, .. } => (h, reach),
+            Plan::Encounter(i) => return self.account_encounter(low, i, t, ledger),
+            Plan::Rest => return self.account_rest(t, ledger),
         };
         let series = self.series(low, h);
         let s = self.progress(low, t, h, reach);

@@ -20,7 +20,7 @@ pub(super) const PHASE: f64 = 2.0;
 pub(super) const NEGLIGIBLE: f64 = 1e-17;
 
 /// What a cluster's gaps are coupled by, a value a gap; all padded with zeros.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Coupling {
     /// K h², zero where no force acts.
     pub stiffness: Vec<f64>,
