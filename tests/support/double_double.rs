@@ -49,7 +49,6 @@ impl Double {
         lo: 1.224_646_799_147_353_2e-16,
     };
 
-
     pub fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
     }

@@ -119,7 +119,7 @@ impl Oracle {
             changes: 0,
             steps: 0,
             shortest_contact: f64::INFINITY,
-            began: vec![Double::from(f64::NEG_INFINITY); n],
+            began: vec![start.time.into(); n],
         };
         for i in 0..n {
             if oracle.gaps[i] <= Double::ZERO {
@@ -232,6 +232,10 @@ impl Oracle {
             {
                 (h, change) = (t, Some((i, to)));
             }
+        }
+        if let (Some((i, to)), true) = (change, h <= Double::ZERO) {
+            self.carry_out(i, to);
+            return;
         }
         let series = self.expand(&accelerated, h);
         let mut end = Double::ONE;
