@@ -1,10 +1,13 @@
 //! What the program does: one file a subcommand.
 
+pub mod accuracy;
 pub mod explore;
 mod output;
 pub mod presets;
 mod progress;
+mod report;
 pub mod run;
+pub mod stability;
 mod usage;
 
 use crate::cli::{Cli, Command};
@@ -59,6 +62,8 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
     };
     match cli.command {
         Some(Command::Run(args)) => run::run(&args),
+        Some(Command::Accuracy(args)) => accuracy::run(&args),
+        Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Presets { action }) => presets::presets(action.as_ref()),
         None => {
             let args = cli.explore;

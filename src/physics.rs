@@ -5,6 +5,7 @@
 //! overlap has. In code gap and bead indices count from 0. Masses are in units of
 //! the mean bead's mass, so energies are per mean bead mass, m²/s².
 
+mod adaptive;
 mod bounce;
 mod column;
 mod contacts;
@@ -17,6 +18,8 @@ mod md;
 mod moment;
 mod observation;
 mod plate;
+mod power_law;
+pub mod spectrum;
 mod state;
 mod tournament;
 
@@ -50,6 +53,17 @@ pub enum EngineError {
         time: f64,
         /// Steps to the next contact.
         steps: f64,
+    },
+    /// The adaptive method would need steps too short to get anywhere.
+    #[error(
+        "the adaptive method is stuck at t = {time:.6e} s: its steps of {step:.1e} s do not \
+         add up to a contact time"
+    )]
+    Stuck {
+        /// When, s.
+        time: f64,
+        /// The last step, s.
+        step: f64,
     },
     /// Hard spheres produced a state that cannot be.
     #[error("the event engine lost the column at t = {time:.6e} s, bead {bead}: {what}")]
@@ -123,6 +137,10 @@ pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover)
             solver: Solver::Exact,
             ..
         } => exact::build(scene, state),
+        Method::Md {
+            solver: Solver::Adaptive { tolerance },
+            ..
+        } => adaptive::build(scene, tolerance, state),
         Method::Ed { .. } => ed::build(scene, state),
     };
     (engine, handover)

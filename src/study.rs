@@ -3,10 +3,18 @@
 //! A study takes scenes and gives numbers, tables and plots. It prints nothing; who
 //! waits for it is told through a callback how far it is, and may stop it.
 
+pub mod accuracy;
 mod drive;
+mod fit;
 mod measure;
 pub mod plot;
+pub mod stability;
 pub mod table;
+mod vary;
 
 pub use drive::{Drive, RunError, Watch, natural_time};
 pub use measure::{Results, measure};
+pub use vary::{one_ulp_off, vary};
+
+/// Who waits for a study: is told what it is at, and which part of it is done.
+pub type Tell<'a> = dyn FnMut(&str, f64) + 'a;

@@ -10,7 +10,7 @@ mod oracle;
 mod support;
 
 use beadlab::physics::{Outcome, State, build};
-use beadlab::scene::{Facts, FloorContact, Method, Scene, Solver, Start};
+use beadlab::scene::{Facts, FloorContact, Law, Method, Scene, Solver, Start};
 use dice::Dice;
 use double_double::Double;
 use oracle::Oracle;
@@ -21,7 +21,7 @@ const ALLOWED: f64 = 1e-11;
 
 fn exact(contact_time: f64) -> Method {
     Method::Md {
-        contact_time,
+        law: Law::Hooke { contact_time },
         solver: Solver::Exact,
         attraction: true,
     }
@@ -127,7 +127,7 @@ fn collision(dice: &mut Dice) -> Facts {
             FloorContact::SameSpring
         },
         method: Method::Md {
-            contact_time,
+            law: Law::Hooke { contact_time },
             solver: Solver::Exact,
             attraction: !dice.chance(0.15),
         },

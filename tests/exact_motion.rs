@@ -8,7 +8,7 @@ mod oracle;
 mod support;
 
 use beadlab::physics::build;
-use beadlab::scene::{Facts, Floor, Method, Scene, Solver, Start, angular};
+use beadlab::scene::{Facts, Floor, Law, Method, Scene, Solver, Start, angular};
 use oracle::Oracle;
 use support::{G, fig1, shaken};
 
@@ -18,7 +18,7 @@ const ALLOWED: f64 = 1e-11;
 
 fn exact(contact_time: f64) -> Method {
     Method::Md {
-        contact_time,
+        law: Law::Hooke { contact_time },
         solver: Solver::Exact,
         attraction: true,
     }

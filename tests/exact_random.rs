@@ -5,7 +5,7 @@ mod dice;
 mod support;
 
 use beadlab::physics::{Engine, Outcome, build};
-use beadlab::scene::{Facts, Floor, Method, Scene, Solver, Start};
+use beadlab::scene::{Facts, Floor, Law, Method, Scene, Solver, Start, angular};
 use dice::Dice;
 use support::look;
 
@@ -20,7 +20,7 @@ fn soft(dice: &mut Dice) -> (Facts, f64) {
     let facts = Facts {
         restitution: hard.restitution.max(1e-6),
         method: Method::Md {
-            contact_time,
+            law: Law::Hooke { contact_time },
             solver: Solver::Exact,
             attraction: dice.chance(0.7),
         },
@@ -89,6 +89,8 @@ fn a_split_advance_gives_the_same_bits() {
             long
         };
         let mut again = engine(&facts);
+        // The end of a budget may lie within an instant of many events, which goes on.
+        let until = until * (1.0 - 1e-9);
         again.advance(until, u64::MAX).expect("it did before");
         let mut split = engine(&facts);
         let mut to = 0.0;
@@ -129,7 +131,11 @@ fn scaled(facts: &Facts, lengths: f64, times: f64) -> Facts {
         *amplitude *= lengths;
         *frequency /= times;
     }
-    if let Method::Md { contact_time, .. } = &mut other.method {
+    if let Method::Md {
+        law: Law::Hooke { contact_time },
+        ..
+    } = &mut other.method
+    {
         *contact_time *= times;
     }
     other.duration = facts.duration.map(|duration| duration * times);

@@ -45,6 +45,9 @@ fn the_presets_of_the_design_are_embedded_and_teach() {
         "fig7-ed",
         "steel",
         "aluminium",
+        "fig3-hooke",
+        "fig3-hertz",
+        "fig3-hkk",
         "single-ball",
         "shaken",
     ] {

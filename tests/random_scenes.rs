@@ -6,7 +6,7 @@ mod dice;
 mod support;
 
 use beadlab::physics::build;
-use beadlab::scene::{Floor, Integrator, Method, Scene, Solver};
+use beadlab::scene::{Floor, Integrator, Law, Method, Scene, Solver};
 use dice::Dice;
 use support::{ED, look, shaken};
 
@@ -50,7 +50,9 @@ fn edits_in_any_order_keep_the_column_whole() {
     let mut dice = Dice(2);
     for k in 0..40 {
         let soft = Method::Md {
-            contact_time: dice.decades(-5.0, -3.0),
+            law: Law::Hooke {
+                contact_time: dice.decades(-5.0, -3.0),
+            },
             solver: Solver::Grid {
                 integrator: Integrator::Verlet,
                 steps_per_contact: 40.0,

@@ -144,7 +144,7 @@ fn a_point_is_where_the_axes_say() {
         let found = lines.iter().find(|l| l.trim_start().starts_with(label));
         *found.unwrap_or_else(|| panic!("{label} in\n{text}"))
     };
-    // The last marker of a line alone lies over those of the other series.
+    // The markers of a line alone lie over those of the other series.
     assert!(row("1 +").trim_end().ends_with('x'), "{text}");
-    assert!(row("1e-6 +").contains('o'), "{text}");
+    assert!(row("1e-6 +").contains('x'), "{text}");
 }

@@ -6,8 +6,10 @@ mod series;
 
 use super::output::Output;
 use super::progress::Progress;
-use super::{Failure, load};
+use super::{Failure, load, note};
 use crate::cli::{Format, RunArgs};
+use crate::physics::spectrum;
+use crate::scene::Scene;
 use crate::study::Drive;
 use std::io::Write;
 use std::ops::ControlFlow;
@@ -26,6 +28,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     if let Some(every) = args.every {
         series::check(&preset.scene, every)?;
     }
+    warn_of_steps(&preset.scene);
     let mut output = Output::open(args.out.as_deref())?;
     let mut progress = Progress::new(preset.scene.duration);
     let mut watch = |time| {
@@ -46,4 +49,15 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         report.tell_time();
     }
     Ok(())
+}
+
+/// Says when the scene's grid is too coarse for a column whose contacts are all closed.
+fn warn_of_steps(scene: &Scene) {
+    if let Some(least) = spectrum::too_few_steps(scene) {
+        let method = scene.method.name().as_str();
+        note(&format!(
+            "{method} becomes unstable on this column, when it is closed, below {least:.1} steps \
+             in a contact time"
+        ));
+    }
 }

@@ -15,14 +15,15 @@ mod repose;
 mod rest;
 mod series;
 
-use super::column::{OVER, Spring, masses, nothing_to_come, springs};
+use super::column::{OVER, masses, nothing_to_come, springs};
 use super::flight::{Free, Ground, Shaken, Weight};
 use super::moment::Moment;
 use super::observation::Observation;
+use super::power_law::Spring;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{Floor, Method, Scene};
+use crate::scene::{Floor, Law, Method, Scene};
 use cluster::Plan;
 use crossing::ROWS;
 use encounter::Encounter;
@@ -134,16 +135,16 @@ impl Room {
 impl<G: Ground> Exact<G> {
     fn new(scene: &Scene, state: State, ground: G) -> Self {
         let Method::Md {
-            contact_time,
+            law: Law::Hooke { contact_time },
             attraction,
             ..
         } = scene.method
         else {
-            unreachable!("physics::build hands soft scenes to this room");
+            unreachable!("physics::build hands linear scenes to this room");
         };
         let n = scene.n;
         let masses = masses(scene);
-        let springs = springs(scene, &masses, contact_time);
+        let springs = springs(scene, &masses);
         let shake = state.plate.amplitude * state.plate.omega.powi(2);
         let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
         let mut exact = Self {

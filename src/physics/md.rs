@@ -7,19 +7,23 @@
 mod chain;
 mod gear;
 mod ground;
+mod powered;
 mod stepper;
 mod verlet;
 
-use super::column::{OVER, Spring, masses, nothing_to_come, springs};
+use super::column::{OVER, masses, nothing_to_come, springs};
 use super::ledger::Ledger;
 use super::moment::Moment;
 use super::observation::Observation;
+use super::power_law::Spring;
 use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{Floor, Integrator, Method, Scene, Solver};
-use chain::{Chain, Equal, Unequal};
+use crate::scene::{self, Floor, Integrator, Method, Scene, Solver};
+use chain::{Chain, Equal, Law, Linear, Unequal};
+pub(super) use gear::CORRECTOR;
 use gear::Gear;
 use ground::{Free, Ground, Shaken, Weight};
+use powered::Powered;
 use stepper::Stepper;
 use verlet::Verlet;
 
@@ -40,14 +44,18 @@ struct Grid {
 
 /// Builds the engine of an MD scene on a grid of time steps.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let Method::Md {
-        contact_time,
-        solver: Solver::Grid {
-            integrator,
-            steps_per_contact,
+    let (
+        Method::Md {
+            solver:
+                Solver::Grid {
+                    integrator,
+                    steps_per_contact,
+                },
+            attraction,
+            ..
         },
-        attraction,
-    } = scene.method
+        Some(contact_time),
+    ) = (scene.method, scene.contact_time())
     else {
         unreachable!("physics::build hands scenes on a grid to this room");
     };
@@ -85,25 +93,31 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
     state: State,
     ground: G,
 ) -> Box<dyn Engine> {
+    let power = matches!(scene.law(), Some(scene::Law::Power(_)));
+    match (power, grid.attraction) {
+        (false, true) => with_law::<S, G, _>(scene, grid, state, ground, Linear::<true>),
+        (false, false) => with_law::<S, G, _>(scene, grid, state, ground, Linear::<false>),
+        (true, true) => with_law::<S, G, _>(scene, grid, state, ground, Powered::<true>),
+        (true, false) => with_law::<S, G, _>(scene, grid, state, ground, Powered::<false>),
+    }
+}
+
+fn with_law<S: Stepper + 'static, G: Ground + 'static, L: Law + 'static>(
+    scene: &Scene,
+    grid: Grid,
+    state: State,
+    ground: G,
+    law: impl Fn(Spring) -> L,
+) -> Box<dyn Engine> {
     let masses = masses(scene);
-    let springs = springs(scene, &masses, grid.contact_time);
-    match (scene.width == 0.0, grid.attraction) {
-        (true, true) => {
-            let chain = Equal::<true>::new(&springs);
-            Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
-        }
-        (true, false) => {
-            let chain = Equal::<false>::new(&springs);
-            Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
-        }
-        (false, true) => {
-            let chain = Unequal::<true>::new(&springs, &masses);
-            Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
-        }
-        (false, false) => {
-            let chain = Unequal::<false>::new(&springs, &masses);
-            Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
-        }
+    let springs = springs(scene, &masses);
+    let laws: Vec<L> = springs.iter().map(|&spring| law(spring)).collect();
+    if scene.width == 0.0 {
+        let chain = Equal::new(&laws);
+        Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
+    } else {
+        let chain = Unequal::new(&laws, &masses);
+        Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
     }
 }
 

@@ -43,7 +43,11 @@ pub struct Drive<'a> {
 impl<'a> Drive<'a> {
     /// The engine of a scene, at its start.
     pub fn new(scene: &Scene, watch: &'a mut Watch<'a>) -> Self {
-        let (engine, _) = physics::build(scene, None);
+        Self::of(physics::build(scene, None).0, scene, watch)
+    }
+
+    /// An engine of that scene, wherever it is.
+    pub fn of(engine: Box<dyn Engine>, scene: &Scene, watch: &'a mut Watch<'a>) -> Self {
         let in_steps = |bead_steps: usize| (bead_steps / scene.n).max(1) as u64;
         let slice = match scene.method.name() {
             MethodName::Ed => EVENTS,
@@ -82,7 +86,7 @@ impl<'a> Drive<'a> {
     pub fn collide(&mut self, scene: &Scene) -> Result<bool, RunError> {
         let look = natural_time(scene);
         let end = scene.duration.unwrap_or(f64::INFINITY);
-        let mut until = 0.0;
+        let mut until = self.time();
         while until < end {
             // The times to look at depend on nothing but the scene: the same bytes again.
             until = end.min(until + look.max(PATIENCE * until));

@@ -233,22 +233,20 @@ impl Table {
         for note in &self.notes {
             let _ = writeln!(text, "# {note}");
         }
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let all = std::iter::once(self.columns.iter().map(|c| c.name.to_owned()).collect()).chain(
-            self.rows
-                .iter()
-                .map(|row| row.iter().map(exactly).collect()),
-        );
-        for record in all {
-            let record: Vec<String> = record;
-            let written = writer.write_record(record);
-            written.expect("memory takes whatever is written");
-        }
-        let bytes = writer
-            .into_inner()
-            .expect("memory takes whatever is written");
-        text + &String::from_utf8(bytes).expect("the cells were text")
+        let header = self.columns.iter().map(|c| c.name.to_owned()).collect();
+        let cells = |row: &Vec<Cell>| row.iter().map(exactly).collect();
+        let rows = self.rows.iter().map(cells);
+        text + &records(std::iter::once(header).chain(rows)).unwrap_or_default()
     }
+}
+
+/// Records as CSV; memory takes whatever is written.
+fn records(mut records: impl Iterator<Item = Vec<String>>) -> Option<String> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    records
+        .try_for_each(|record| writer.write_record(record))
+        .ok()?;
+    String::from_utf8(writer.into_inner().ok()?).ok()
 }
 
 /// A number as the shortest text that reads as the same number.

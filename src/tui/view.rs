@@ -153,6 +153,10 @@ fn draw_title(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
             ..
         } => "exact".to_owned(),
         Method::Md {
+            solver: Solver::Adaptive { tolerance },
+            ..
+        } => format!("adaptive, {tolerance:.0e}"),
+        Method::Md {
             solver:
                 Solver::Grid {
                     integrator,

@@ -6,10 +6,11 @@
 //! need, the others on straight lines. Contact changes are looked for in 16 samples of
 //! value and slope a step, every minimum between two samples included, and bisected in
 //! full precision.
+#![allow(dead_code, reason = "every test uses its own part of this")]
 
 use super::double_double::Double;
 use beadlab::physics::State;
-use beadlab::scene::{Floor, FloorContact, Method, Scene, angular, diameters};
+use beadlab::scene::{Floor, FloorContact, Law, Method, Scene, angular, diameters};
 
 /// Samples a step.
 const SAMPLES: usize = 16;
@@ -59,12 +60,12 @@ impl Oracle {
     /// The scene at its start, whose gaps and rates are given by `start`.
     pub fn new(scene: &Scene, start: &State) -> Self {
         let Method::Md {
-            contact_time,
+            law: Law::Hooke { contact_time },
             attraction,
             ..
         } = scene.method
         else {
-            panic!("the reference is of soft contacts");
+            panic!("the reference is of linear contacts");
         };
         let n = scene.n;
         let ratio = |d: &f64| Double::from(*d) / scene.diameter;

@@ -3,7 +3,7 @@
 use super::report::{Cell, Report, Row};
 use crate::commands::{Failure, note};
 use crate::physics;
-use crate::scene::{Preset, Scene, Start};
+use crate::scene::{Law, Preset, Scene, Start};
 use crate::study::{self, Drive, Results};
 use std::time::Instant;
 
@@ -65,6 +65,21 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
         Start::Separated { s0, v0, .. } => Some((s0, v0)),
         Start::Resting => None,
     };
+    let law = scene.law();
+    let power = match law {
+        Some(Law::Power(power)) => Some(power),
+        _ => None,
+    };
+    // Under a power law these depend on the speed.
+    let (of_two, of_one, lasting) = if power.is_some() {
+        (
+            "of two beads at the scene's own speed",
+            "of a bead on the floor at that speed",
+            "of two beads at that speed, undamped",
+        )
+    } else {
+        ("of two beads", "of a bead on the floor", "of two beads")
+    };
     let word = |text: &str| Some(Cell::Word(text.to_owned()));
     let number = |x: f64| Some(Cell::Number(x));
     vec![
@@ -72,23 +87,47 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
         Row::new("method", word(method.as_str()), "", method.meaning()),
         Row::new(
             "law",
-            scene.is_md().then(|| Cell::Word("hooke".into())),
+            law.map(|law| Cell::Word(law.name().as_str().to_owned())),
             "",
-            "linear spring and dashpot",
+            law.map_or("", |law| law.name().meaning()),
+        ),
+        Row::new(
+            "beta",
+            power.map(|power| Cell::Number(power.exponents.beta())),
+            "",
+            "elastic force x^(1+beta)",
+        ),
+        Row::new(
+            "gamma",
+            power.map(|power| Cell::Number(power.exponents.gamma())),
+            "",
+            "dissipative force x^gamma dx/dt",
+        ),
+        Row::new(
+            "stiffness",
+            power.map(|power| Cell::Number(power.stiffness)),
+            "SI",
+            "K/m, m being the reduced mass of two beads",
+        ),
+        Row::new(
+            "damping",
+            power.map(|power| Cell::Number(power.damping)),
+            "SI",
+            "D_n",
         ),
         Row::new("n", Some(Cell::Count(scene.n as u64)), "", "beads"),
-        Row::new("restitution", number(scene.restitution), "", "of two beads"),
+        Row::new("restitution", number(scene.restitution), "", of_two),
         Row::new(
             "floor_restitution",
             number(physics::floor_restitution(scene)),
             "",
-            "of a bead on the floor",
+            of_one,
         ),
         Row::new(
             "contact_time",
             scene.contact_time().map(Cell::Number),
             "s",
-            "of two beads",
+            lasting,
         ),
         Row::new(
             "v0",

@@ -129,16 +129,16 @@ fn root(q: &[f64]) -> Option<f64> {
     }
     for _ in 0..100 {
         let newton = s - value / slope;
+        // Convergence is quadratic: after half the digits the next step gives the rest.
+        if (newton - s).abs() <= HALF_THE_DIGITS * s {
+            return Some(newton);
+        }
         // Without a slope this is not a number, and not inside.
         let next = if newton > low && newton < high {
             newton
         } else {
             0.5 * (low + high)
         };
-        // Convergence is quadratic: after half the digits the next step gives the rest.
-        if (next - s).abs() <= HALF_THE_DIGITS * s {
-            return Some(next);
-        }
         s = next;
         (value, slope) = at(q, s);
         if value >= 0.0 {

@@ -4,9 +4,10 @@
 use std::f64::consts::PI;
 
 use super::{Exact, Gap, Mode};
-use crate::physics::column::{Spring, reduced_mass};
+use crate::physics::column::reduced_mass;
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
+use crate::physics::power_law::Spring;
 
 /// How a contact goes when its beads meet alone, with overlap w₀/ω e^{−μτ} sin ωτ.
 #[derive(Debug, Clone, Copy)]

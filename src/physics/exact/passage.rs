@@ -4,9 +4,9 @@ use super::cluster::Plan;
 use super::crossing::{Polynomial, ROWS};
 use super::series::{NEGLIGIBLE, Series, lanes};
 use super::{Exact, Gap, Mode, Room};
-use crate::physics::column::Spring;
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
+use crate::physics::power_law::Spring;
 
 /// Lengths and speeds below that matter to nothing, and would decay into subnormal
 /// numbers, which are slow.
@@ -89,7 +89,9 @@ impl<G: Ground> Exact<G> {
         let s = self.progress(low, t, h, reach);
         room.a.fill(0.0);
         for (j, i) in (low..self.end[low]).enumerate() {
-            let Spring { stiffness, dashpot } = self.springs[i];
+            let Spring {
+                stiffness, dashpot, ..
+            } = self.springs[i];
             match self.modes[i] {
                 Mode::Open => {}
                 Mode::Pushing => room.a[j] = dashpot,

@@ -10,8 +10,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::crossing::ROWS;
 use super::series::{Coupling, PHASE, Series, expand, lanes};
-use crate::physics::column::Spring;
 use crate::physics::plate::Plate;
+use crate::physics::power_law::Spring;
 
 /// Longest rest planned at once, 2^16 steps of a series.
 const POWERS: u32 = 16;

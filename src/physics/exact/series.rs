@@ -10,7 +10,7 @@
 )]
 
 use super::crossing::{Polynomial, ROWS};
-use crate::physics::column::Spring;
+use crate::physics::power_law::Spring;
 
 /// Largest phase ρh of one step, ρ the fastest rate of the cluster: the terms left out
 /// are below 2²⁵/25!, 2·10⁻¹⁸ of the motion.

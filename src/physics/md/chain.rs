@@ -1,9 +1,8 @@
 //! Forces in the contacts of a chain, and the accelerations of its gaps.
 
-use crate::physics::column::Spring;
+use crate::physics::power_law::Spring;
 
-/// Contacts and masses of a chain. `ATTRACTION` of the implementations says whether
-/// the short attractive end of a contact acts, as in the paper, or is cut off.
+/// Contacts and masses of a chain.
 pub(crate) trait Chain: Send {
     /// Force of the contact at gap `i` > 0, and the power it loses, at gap `g` with
     /// rate `w`; in mean bead masses. Beads just touching are in contact.
@@ -20,43 +19,57 @@ pub(crate) trait Chain: Send {
     fn first(&self, forces: &[f64]) -> f64;
 }
 
-#[inline]
-fn push<const ATTRACTION: bool>(spring: Spring, g: f64, w: f64) -> (f64, f64) {
-    let elastic = -spring.stiffness * g;
-    let full = elastic - spring.dashpot * w;
-    let force = if ATTRACTION { full } else { full.max(0.0) };
-    if g <= 0.0 {
-        (force, (elastic - force) * w)
-    } else {
-        (0.0, 0.0)
-    }
+/// The law of one contact, chosen at compile time.
+pub(crate) trait Law: Copy + Send {
+    /// Force of the contact at gap `g` with rate `w`, and the power that it loses, in
+    /// mean bead masses; both 0 where g > 0. Beads just touching are in contact.
+    fn push(self, g: f64, w: f64) -> (f64, f64);
 }
 
-/// Equal beads: the floor's contact, and one law for all others.
-pub(crate) struct Equal<const ATTRACTION: bool> {
-    floor: Spring,
-    pair: Spring,
-}
+/// The linear law. `ATTRACTION` says whether the short attractive end of a contact
+/// acts, as in the paper, or is cut off.
+#[derive(Clone, Copy)]
+pub(crate) struct Linear<const ATTRACTION: bool>(pub Spring);
 
-impl<const ATTRACTION: bool> Equal<ATTRACTION> {
-    /// The chain with these springs, those of all pairs being alike.
-    pub fn new(springs: &[Spring]) -> Self {
-        Self {
-            floor: springs[0],
-            pair: *springs.last().expect("a column has beads"),
+impl<const ATTRACTION: bool> Law for Linear<ATTRACTION> {
+    #[inline]
+    fn push(self, g: f64, w: f64) -> (f64, f64) {
+        let elastic = -self.0.stiffness * g;
+        let full = elastic - self.0.dashpot * w;
+        let force = if ATTRACTION { full } else { full.max(0.0) };
+        if g <= 0.0 {
+            (force, (elastic - force) * w)
+        } else {
+            (0.0, 0.0)
         }
     }
 }
 
-impl<const ATTRACTION: bool> Chain for Equal<ATTRACTION> {
+/// Equal beads: the floor's contact, and one law for all others.
+pub(crate) struct Equal<L> {
+    floor: L,
+    pair: L,
+}
+
+impl<L: Law> Equal<L> {
+    /// The chain with these laws, those of all pairs being alike.
+    pub fn new(laws: &[L]) -> Self {
+        Self {
+            floor: laws[0],
+            pair: *laws.last().expect("a column has beads"),
+        }
+    }
+}
+
+impl<L: Law> Chain for Equal<L> {
     #[inline]
     fn pair(&self, _: usize, g: f64, w: f64) -> (f64, f64) {
-        push::<ATTRACTION>(self.pair, g, w)
+        self.pair.push(g, w)
     }
 
     #[inline]
     fn floor(&self, g: f64, w: f64) -> (f64, f64) {
-        push::<ATTRACTION>(self.floor, g, w)
+        self.floor.push(g, w)
     }
 
     #[inline]
@@ -71,29 +84,30 @@ impl<const ATTRACTION: bool> Chain for Equal<ATTRACTION> {
 }
 
 /// Beads of different masses: a law a contact, a mass a bead.
-pub(crate) struct Unequal<const ATTRACTION: bool> {
-    springs: Vec<Spring>,
+pub(crate) struct Unequal<L> {
+    laws: Vec<L>,
     inverse: Vec<f64>,
 }
 
-impl<const ATTRACTION: bool> Unequal<ATTRACTION> {
-    pub fn new(springs: &[Spring], masses: &[f64]) -> Self {
+impl<L: Law> Unequal<L> {
+    /// The chain with these laws, and masses in mean bead masses.
+    pub fn new(laws: &[L], masses: &[f64]) -> Self {
         Self {
-            springs: springs.to_vec(),
+            laws: laws.to_vec(),
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
         }
     }
 }
 
-impl<const ATTRACTION: bool> Chain for Unequal<ATTRACTION> {
+impl<L: Law> Chain for Unequal<L> {
     #[inline]
     fn pair(&self, i: usize, g: f64, w: f64) -> (f64, f64) {
-        push::<ATTRACTION>(self.springs[i], g, w)
+        self.laws[i].push(g, w)
     }
 
     #[inline]
     fn floor(&self, g: f64, w: f64) -> (f64, f64) {
-        push::<ATTRACTION>(self.springs[0], g, w)
+        self.laws[0].push(g, w)
     }
 
     #[inline]

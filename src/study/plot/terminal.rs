@@ -7,6 +7,9 @@ use crate::study::table::wrapped;
 /// Markers of series, in their order; told apart without colour.
 const MARKERS: [char; 8] = ['o', 'x', '+', '*', '#', '@', '%', '&'];
 
+/// Markers on a line that has none at its points.
+const LINE_MARKS: usize = 4;
+
 /// The least room in which a plot says anything.
 const LEAST: (usize, usize) = (12, 4);
 
@@ -154,13 +157,25 @@ fn fill(plot: &Plot, field: &mut Field, (x, y): (Bounds, Bounds)) {
         }
     }
     for (k, (series, parts)) in plot.series.iter().zip(&parts).enumerate() {
-        if series.look != Look::Line {
-            for &part in parts {
-                field.mark(part, marker(k));
-            }
-        } else if let Some(&last) = parts.last() {
-            // A line alone has no other name to be told apart by.
-            field.mark(last, marker(k));
+        match series.look {
+            Look::Line => mark_line(field, parts, k, plot.series.len()),
+            _ => parts.iter().for_each(|&part| field.mark(part, marker(k))),
+        }
+    }
+}
+
+/// A few markers on a line, which has no other name to be told apart by; those of
+/// other lines are beside them.
+fn mark_line(field: &mut Field, parts: &[(f64, f64)], k: usize, lines: usize) {
+    let shift = (k + 1) as f64 / (lines + 1) as f64;
+    for m in 0..LINE_MARKS {
+        let wanted = (m as f64 + shift) / LINE_MARKS as f64;
+        let distance = |part: &(f64, f64)| (part.0 - wanted).abs();
+        let nearest = parts
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        if let Some(&part) = nearest {
+            field.mark(part, marker(k));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The scenes on the bench: the column and its twin, and the edits of them.
 
 use crate::scene::parameters::{self, Parameter, Setting, Value, table};
-use crate::scene::{Facts, Method, MethodName, Preset, Scene, SceneError};
+use crate::scene::{Facts, Law, Method, MethodName, Preset, Scene, SceneError};
 
 /// Edits that can be undone.
 const UNDO: usize = 200;
@@ -103,7 +103,7 @@ impl Bench {
         if !self.scenes.iter().any(has) {
             parameters::edit(&self.scenes[0], parameter, value)?;
         }
-        let edited = self
+        let mut edited = self
             .scenes
             .iter()
             .map(|scene| {
@@ -114,7 +114,27 @@ impl Bench {
                 }
             })
             .collect::<Result<Vec<Scene>, SceneError>>()?;
+        self.follow(&mut edited)?;
         Ok(self.put(edited))
+    }
+
+    /// Under a power law restitution follows from the law: when an edit changes it, the
+    /// hard twin has the new one.
+    fn follow(&self, edited: &mut [Scene]) -> Result<(), SceneError> {
+        let [soft, hard] = edited else {
+            return Ok(());
+        };
+        let before = &self.scenes[0];
+        let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
+        if hard.is_md() || soft.restitution == before.restitution || !(ruled(soft) || ruled(before))
+        {
+            return Ok(());
+        }
+        *hard = Scene::new(Facts {
+            restitution: soft.restitution,
+            ..hard.facts().clone()
+        })?;
+        Ok(())
     }
 
     fn edited(
