@@ -86,6 +86,19 @@ pub enum EngineError {
     },
 }
 
+impl EngineError {
+    /// When the engine could not go on, s.
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Unstable { time, .. }
+            | Self::BeyondTime { time, .. }
+            | Self::Stuck { time, .. }
+            | Self::Creeping { time, .. }
+            | Self::Lost { time, .. } => *time,
+        }
+    }
+}
+
 /// How an [`Engine::advance`] ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {

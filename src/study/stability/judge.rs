@@ -3,7 +3,6 @@
 use super::RIGHT;
 use super::cases::Case;
 use super::runs::{Ending, Numbers, distance, run};
-use crate::physics::EngineError;
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene, Start};
 use crate::study::{one_ulp_off, vary};
@@ -250,14 +249,6 @@ fn unfinished(ending: &Ending) -> Verdict {
     match ending {
         Ending::Done { .. } => Verdict::Ran(None),
         Ending::Slow { needed } => Verdict::Slow(*needed),
-        Ending::Broken { error } => {
-            let time = match error {
-                EngineError::Unstable { time, .. }
-                | EngineError::BeyondTime { time, .. }
-                | EngineError::Stuck { time, .. }
-                | EngineError::Lost { time, .. } => *time,
-            };
-            Verdict::Breaks(time, error.to_string())
-        }
+        Ending::Broken { error } => Verdict::Breaks(error.time(), error.to_string()),
     }
 }
