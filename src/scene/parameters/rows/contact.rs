@@ -73,7 +73,7 @@ pub(super) const LAW: Parameter = Parameter {
     name: "law",
     symbol: "law",
     symbol_ascii: "law",
-    help: "force of a contact; a new one keeps collisions as alike as can be",
+    help: "force of a contact; a new law keeps collisions alike",
     kind: Kind::Choice(LawName::WORDS),
     belongs_to: SOFT,
     get: |facts| facts.law().map(|law| Value::Choice(law.name().as_str())),
