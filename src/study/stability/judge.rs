@@ -233,6 +233,7 @@ fn unfinished(ending: &Ending) -> Verdict {
                 EngineError::Unstable { time, .. }
                 | EngineError::BeyondTime { time, .. }
                 | EngineError::Stuck { time, .. }
+                | EngineError::Creeping { time }
                 | EngineError::Lost { time, .. } => *time,
             };
             Verdict::Breaks(time, error.to_string())
