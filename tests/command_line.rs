@@ -40,6 +40,9 @@ const FIELDS: [&str; 27] = [
     "speed",
 ];
 
+/// What only power laws have.
+const POWER: [&str; 4] = ["beta", "gamma", "stiffness", "damping"];
+
 /// Two steps in a contact are beyond the stability of Gear's method.
 const UNSTABLE: [&str; 6] = [
     "run",
@@ -105,13 +108,12 @@ fn json_has_what_the_scene_has_and_nothing_else() {
         arguments.extend(settings.iter().flat_map(|setting| ["--set", setting]));
         let object = json(&arguments);
         let object = object.as_object().expect("an object");
-        let power_law = ["beta", "gamma", "stiffness", "damping"];
         for field in FIELDS {
             // The mean of a height has a standard error, a collision a sensitivity.
             let lacks = match field {
                 "h_cm_error" => absent.contains(&"h_cm_mean"),
                 "sensitivity" => absent.contains(&"eps_eff"),
-                _ => absent.contains(&field) || power_law.contains(&field),
+                _ => absent.contains(&field) || POWER.contains(&field),
             };
             assert_eq!(object.contains_key(field), !lacks, "{preset}: {field}");
         }
@@ -323,6 +325,25 @@ fn the_motion_of_a_shaken_column_lasts_for_its_duration() {
         let plate = 1.24e-3 * (std::f64::consts::TAU * 20.0 * time).sin();
         assert!((floor - plate).abs() < 1e-12, "{floor} {plate}");
     }
+}
+
+#[test]
+fn a_power_law_is_printed_with_its_constants() {
+    let object = json(&["fig3-hertz", "--set", "n=2"]);
+    for (field, value) in [
+        ("beta", 0.5),
+        ("gamma", 0.0),
+        ("stiffness", 2e12),
+        ("damping", 2e3),
+    ] {
+        assert_eq!(object[field].as_f64(), Some(value), "{field}");
+    }
+    assert_eq!(object["law"], "hertz");
+    // Those of a pair at the scene's own speed.
+    let contact_time = object["contact_time"].as_f64().expect("a number");
+    assert!((contact_time - 7.04e-5).abs() < 1e-7, "{contact_time}");
+    let restitution = object["restitution"].as_f64().expect("a number");
+    assert!((restitution - 0.853).abs() < 1e-3, "{restitution}");
 }
 
 #[test]
