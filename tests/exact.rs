@@ -7,6 +7,8 @@ mod dice;
 mod double_double;
 #[path = "support/oracle.rs"]
 mod oracle;
+#[path = "support/sampled_roots.rs"]
+mod sampled_roots;
 mod support;
 
 use beadlab::physics::{Outcome, State, build};
