@@ -27,6 +27,10 @@ of the centre of mass over the last 90 % of it. A quantity that the scene does
 not have is left out. The same scene and seed give the same bytes, except for
 wall_time and speed, which measure the machine and stand only in json.
 
+Results are printed to the digits that they have, and one more: the last bit of
+the start decides the others (sensitivity; without gravity it is measured unless
+the run is long), or the standard error of a mean.
+
 Exit codes: 0 done, 1 the run failed, 2 bad input.";
 
 const ACCURACY_EXAMPLES: &str = "\
@@ -133,6 +137,10 @@ pub struct RunArgs {
     /// With csv: print the motion at this interval, in simulated seconds
     #[arg(long, value_name = "SECONDS", value_parser = positive, allow_hyphen_values = true)]
     pub every: Option<f64>,
+
+    /// Measure what the last bit of the start changes, in more runs
+    #[arg(long, conflicts_with = "every")]
+    pub sensitivity: bool,
 
     /// Write to a file, which appears when it is complete
     #[arg(long, value_name = "FILE")]

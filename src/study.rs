@@ -8,13 +8,15 @@ mod drive;
 mod fit;
 mod measure;
 pub mod plot;
+mod sensitivity;
 pub mod stability;
 pub mod table;
 mod vary;
 
 pub use drive::{Drive, RunError, Watch, natural_time};
 pub use measure::{Results, measure};
-pub use vary::{one_ulp_off, vary};
+pub use sensitivity::{Sensitivity, sensitivity};
+pub use vary::{PATTERNS, one_ulp_off, vary};
 
 /// Who waits for a study: is told what it is at, and which part of it is done.
 pub type Tell<'a> = dyn FnMut(&str, f64) + 'a;

@@ -15,7 +15,7 @@ mod repose;
 mod rest;
 mod series;
 
-use super::column::{OVER, masses, nothing_to_come, springs};
+use super::column::{OVER, masses, most_to_lose, springs, velocities};
 use super::flight::{Free, Ground, Shaken, Weight};
 use super::moment::Moment;
 use super::observation::Observation;
@@ -30,8 +30,10 @@ use encounter::Encounter;
 use repose::Repose;
 use series::Coupling;
 
-/// Contact times in a tick of the epoch: times from it are known to 10⁻¹⁴ t_c.
-const TICK: f64 = 64.0;
+/// Contact times in a tick of the epoch. What is known of a time is a bit of its distance
+/// from the epoch, and of a flight through a gap a bit of its length: ticks are short,
+/// so that clocks lose no more than gaps do.
+const TICK: f64 = 2.0;
 /// Places behind the last gap: whole lanes, and the forces at both ends.
 const PADDING: usize = 6;
 /// Events between two looks whether creeping contacts have spent all energy.
@@ -309,8 +311,14 @@ impl<G: Ground> Exact<G> {
         }
         let (gaps, rates) = self.gaps_and_rates(self.now);
         let energy = self.moment(&gaps, &rates, self.now).energy();
-        self.over = (open || energy.elastic <= OVER * energy.kinetic)
-            && nothing_to_come(rates.into_iter(), &self.masses);
+        let spent = open || energy.elastic <= OVER * energy.kinetic;
+        // Of E_r, too, no part is to be lost that would show, unless it is nothing itself.
+        let least = energy
+            .relative
+            .max(OVER * energy.kinetic)
+            .min(energy.kinetic);
+        let lost = || most_to_lose(velocities(rates.into_iter()), &self.masses);
+        self.over = spent && lost() <= OVER * least;
     }
 
     /// What is accounted for, up to now.

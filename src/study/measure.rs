@@ -10,6 +10,9 @@ const LOOKS_IN_A_PERIOD: f64 = 200.0;
 /// So many looks are enough for any mean.
 const MOST_LOOKS: f64 = 1e6;
 
+/// Parts of a run whose means are taken for independent.
+const PARTS: usize = 20;
+
 /// The beginning of a run, which still depends on how it started.
 const SETTLING: f64 = 0.1;
 
@@ -25,6 +28,8 @@ pub struct Results {
     /// Mean absolute height of the centre of mass over the last 90 % of a run with
     /// gravity, m.
     pub h_cm_mean: Option<f64>,
+    /// Standard error of that mean, m, from the means of parts of the run.
+    pub h_cm_error: Option<f64>,
     /// Mean free flight over t_c at the end.
     pub sigma: Option<f64>,
     /// Relative error of the energy ledger.
@@ -46,9 +51,10 @@ pub fn measure(scene: &Scene, drive: &mut Drive) -> Result<Results, RunError> {
     let measured = match (scene.gravity, scene.duration) {
         (Some(gravity), Some(duration)) => {
             let looks = interval(scene, gravity);
-            let h_cm_mean = Some(mean_height(scene, drive, duration, looks, &mut last)?);
+            let (mean, error) = mean_height(scene, drive, duration, looks, &mut last)?;
             Results {
-                h_cm_mean,
+                h_cm_mean: Some(mean),
+                h_cm_error: Some(error),
                 ..Results::default()
             }
         }
@@ -104,29 +110,42 @@ fn interval(scene: &Scene, gravity: f64) -> f64 {
 }
 
 /// Runs for the whole duration. Mean absolute height of the centre of mass, m,
-/// over its last nine tenths.
+/// over its last nine tenths, and its standard error, m.
 fn mean_height(
     scene: &Scene,
     drive: &mut Drive,
     duration: f64,
     interval: f64,
     last: &mut Observation,
-) -> Result<f64, RunError> {
+) -> Result<(f64, f64), RunError> {
     let begin = SETTLING * duration;
     let looks = ((duration - begin) / interval)
         .ceil()
         .clamp(1.0, MOST_LOOKS);
     drive.advance(begin)?;
-    let mut sum = 0.0;
+    let mut parts = [(0.0, 0.0); PARTS];
     let mut look = 0.0;
     while look < looks {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "below PARTS"
+        )]
+        let part = (PARTS as f64 * look / looks) as usize;
         look += 1.0;
         let until = begin + (duration - begin) * (look / looks);
         drive.advance(until.min(duration))?;
         drive.observe(last);
-        sum += last.centre;
+        parts[part].0 += last.centre;
+        parts[part].1 += 1.0;
     }
-    Ok(sum / looks + stacking_height(scene))
+    let mean = parts.iter().map(|(sum, _)| sum).sum::<f64>() / looks;
+    let filled = parts.iter().filter(|(_, count)| *count > 0.0);
+    let spread: f64 = filled
+        .map(|(sum, count)| (sum / count - mean).powi(2))
+        .sum();
+    let error = (spread / (PARTS * (PARTS - 1)) as f64).sqrt();
+    Ok((mean + stacking_height(scene), error))
 }
 
 /// Height of the centre of mass of the column that rests, just touching, on z = 0, m.

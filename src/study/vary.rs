@@ -27,12 +27,29 @@ pub fn vary(
     Scene::new(facts)
 }
 
+/// Ways in which the last bits of a start can differ.
+pub const PATTERNS: usize = 3;
+
 /// The engine of a scene that differs in the last bit: of gravity, which a column at
-/// rest has no gaps to differ in from, or without it of all gaps at the start, or
-/// where there is none, of all velocities. What two right methods may differ by.
-pub fn one_ulp_off(scene: &Scene) -> Box<dyn Engine> {
+/// rest has no gaps to differ in from, or without it of the gaps at the start, or
+/// where there is none, of the velocities; up and down by turns, all up, or up in every
+/// third. What two right methods may differ by.
+pub fn one_ulp_off(scene: &Scene, pattern: usize) -> Box<dyn Engine> {
+    let up = |i: usize| match pattern {
+        0 => i.is_multiple_of(2),
+        1 => true,
+        _ => i.is_multiple_of(3),
+    };
+    let factor = |i: usize| {
+        if up(i) {
+            1.0 + f64::EPSILON
+        } else {
+            1.0 - f64::EPSILON
+        }
+    };
     if let Some(gravity) = scene.gravity {
-        let gravity = Value::Number(gravity * (1.0 + f64::EPSILON));
+        let bits = (pattern + 1) as f64;
+        let gravity = Value::Number(gravity * (1.0 + bits * f64::EPSILON));
         if let Ok(off) = vary(scene, None, &[("gravity", gravity)]) {
             return physics::build(&off, None).0;
         }
@@ -45,8 +62,8 @@ pub fn one_ulp_off(scene: &Scene) -> Box<dyn Engine> {
     } else {
         &mut state.rates
     };
-    for x in numbers {
-        *x *= 1.0 + f64::EPSILON;
+    for (i, x) in numbers.iter_mut().enumerate() {
+        *x *= factor(i);
     }
     physics::build(scene, Some(&state)).0
 }

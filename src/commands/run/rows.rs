@@ -4,18 +4,28 @@ use super::report::{Cell, Report, Row};
 use crate::commands::{Failure, note};
 use crate::physics;
 use crate::scene::{Law, Preset, Scene, Start};
-use crate::study::{self, Drive, Results};
+use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch};
 use std::time::Instant;
 
 /// A ledger that is off by more belongs to a run that has lost its physics.
 const UNTRUSTED: f64 = 0.1;
 
+/// Bead steps of a run that may be done twice without being asked to.
+const CHEAP: f64 = 1e8;
+
 /// Runs the scene to its end.
-pub(super) fn measure(preset: &Preset, mut drive: Drive) -> Result<Report, Failure> {
+pub(super) fn measure(
+    preset: &Preset,
+    sensitivity: bool,
+    watch: &mut Watch,
+) -> Result<Report, Failure> {
     let scene = &preset.scene;
     let started = Instant::now();
-    let results = study::measure(scene, &mut drive)?;
+    let mut look = |time| watch(time);
+    let results = study::measure(scene, &mut Drive::new(scene, &mut look))?;
     let wall_time = started.elapsed().as_secs_f64().max(1e-9);
+    let patterns = patterns(scene, &results, sensitivity);
+    let sensitivity = study::sensitivity(scene, &results, patterns, watch)?;
     if results.h_cm_mean.is_none() && results.eps_eff.is_none() {
         note(&format!(
             "the floor collision is not over at {:e} s, so it has no eps_eff yet",
@@ -30,18 +40,28 @@ pub(super) fn measure(preset: &Preset, mut drive: Drive) -> Result<Report, Failu
     }
     let report = Report {
         title: preset.title.clone(),
-        rows: rows(preset, &results, wall_time),
+        rows: rows(preset, &results, &sensitivity, wall_time),
         wall_time,
     };
     report.check()?;
     Ok(report)
 }
 
+/// How many patterns of last bits are tried.
+fn patterns(scene: &Scene, results: &Results, asked: bool) -> usize {
+    let cost = results.steps as f64 * scene.n as f64 + results.events as f64;
+    match () {
+        () if asked => PATTERNS,
+        () if scene.gravity.is_none() && cost < CHEAP => 1,
+        () => 0,
+    }
+}
+
 /// All fields in their order: the scene's, then what was results.
-fn rows(preset: &Preset, results: &Results, wall_time: f64) -> Vec<Row> {
+fn rows(preset: &Preset, results: &Results, sensitivity: &Sensitivity, wall_time: f64) -> Vec<Row> {
     let sim_time = results.sim_time;
     let mut rows = of_the_scene(preset);
-    rows.extend(of_the_run(&preset.scene, results));
+    rows.extend(of_the_run(&preset.scene, results, sensitivity));
     rows.push(Row::new(
         "sim_time",
         Some(Cell::Number(sim_time)),
@@ -150,45 +170,67 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
     ]
 }
 
-fn of_the_run(scene: &Scene, results: &Results) -> Vec<Row> {
+fn of_the_run(scene: &Scene, results: &Results, known: &Sensitivity) -> Vec<Row> {
     let soft = scene.is_md();
+    let standard_error = results.h_cm_error.zip(results.h_cm_mean);
+    let standard_error = standard_error.map(|(error, mean)| (error / mean).abs());
     vec![
         Row::new(
             "eps_eff",
             results.eps_eff.map(Cell::Number),
             "",
             "sqrt(E_f/E_0)",
-        ),
+        )
+        .known_to(known.eps_eff),
         Row::new(
             "er_over_ef",
             results.er_over_ef.map(Cell::Number),
             "",
             "share of E_f that is relative motion",
-        ),
+        )
+        .known_to(known.er_over_ef),
         Row::new(
             "contact_duration",
             results.contact_duration.map(Cell::Number),
             "s",
             "the floor's, from first touch to last",
-        ),
+        )
+        .known_to(known.contact_duration),
         Row::new(
             "h_cm_mean",
             results.h_cm_mean.map(Cell::Number),
             "m",
             "height of the centre of mass, mean of the last 90 %",
-        ),
+        )
+        .known_to(known.h_cm_mean.or(standard_error)),
+        Row::new(
+            "h_cm_error",
+            results.h_cm_error.map(Cell::Number),
+            "m",
+            "its standard error",
+        )
+        .known_to(Some(0.1)),
         Row::new(
             "sigma",
             results.sigma.map(Cell::Number),
             "",
             "mean free flight over contact_time",
-        ),
+        )
+        .known_to(known.sigma),
         Row::new(
             "energy_drift",
             Some(Cell::Number(results.energy_drift)),
             "",
             "relative error of the ledger",
-        ),
+        )
+        .known_to(Some(0.1)),
+        Row::new(
+            "sensitivity",
+            known.main().map(Cell::Number),
+            "",
+            "relative change by a last bit of the start",
+        )
+        .known_to(Some(0.1)),
         Row::new(
             "events",
             (!soft).then_some(Cell::Count(results.events)),
