@@ -7,6 +7,8 @@ mod dice;
 mod double_double;
 #[path = "support/oracle.rs"]
 mod oracle;
+#[path = "support/sampled_roots.rs"]
+mod sampled_roots;
 mod support;
 
 use beadlab::physics::{Outcome, State, build};
@@ -18,10 +20,6 @@ use support::{fig1, look};
 
 /// The bound on the relative error of what can be known to that.
 const ALLOWED: f64 = 1e-11;
-
-/// A collision is over when what is to come cannot change E by this part of it
-/// (DESIGN §1); of E_r that is more.
-const END: f64 = 1e-12;
 
 fn exact(contact_time: f64) -> Method {
     Method::Md {
@@ -177,8 +175,6 @@ fn describe(facts: &Facts) -> String {
 /// How far the engine is off in a case, and what of that is allowed.
 struct Verdict {
     error: (f64, f64),
-    /// What the end of a collision leaves open of E_r/E_f.
-    open: f64,
     sensitivity: Option<Sensitivity>,
 }
 
@@ -189,7 +185,6 @@ impl Verdict {
         let reference = by_reference(scene, &start);
         let mut verdict = Self {
             error: apart(engine, reference),
-            open: END / reference.1,
             sensitivity: None,
         };
         if !verdict.passes() {
@@ -205,8 +200,7 @@ impl Verdict {
             sensitivity.map_or((0.0, 0.0), |s| larger(s.separations, s.restitution));
         // Ten roundings at the start stand for those on the way.
         let allowed = |sensitivity: f64| ALLOWED.max(10.0 * sensitivity);
-        let relative = (self.error.1 - self.open).max(0.0);
-        (self.error.0 / allowed(first)).max(relative / allowed(second))
+        (self.error.0 / allowed(first)).max(self.error.1 / allowed(second))
     }
 
     fn passes(&self) -> bool {

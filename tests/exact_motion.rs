@@ -5,6 +5,8 @@
 mod double_double;
 #[path = "support/oracle.rs"]
 mod oracle;
+#[path = "support/sampled_roots.rs"]
+mod sampled_roots;
 mod support;
 
 use beadlab::physics::build;

@@ -97,7 +97,7 @@ fn a_split_advance_gives_the_same_bits() {
         while to < until {
             to = until.min(to + until * 0.2 * dice.roll());
             while split
-                .advance(to, 1 + (k % 7) as u64)
+                .advance(to, 1 + u64::from(k % 7))
                 .expect("it did before")
                 == Outcome::OutOfBudget
             {
