@@ -35,6 +35,7 @@ fn load(live: &Live, scenes: Vec<Scene>, sweep: Sweep, speed: f64, running: bool
         sweep,
         speed,
         running,
+        shadow: false,
     };
     live.orders
         .send(order)
