@@ -282,6 +282,13 @@ impl<G: Ground> Exact<G> {
             self.repose.disturb();
         }
         if closed == was_closed {
+            // The force is zero now, whatever rounding says.
+            let Spring {
+                stiffness, dashpot, ..
+            } = self.springs[i];
+            if dashpot > 0.0 {
+                self.gaps[i].w = -stiffness * self.gaps[i].g / dashpot;
+            }
             return;
         }
         self.gaps[i].g = 0.0;

@@ -91,7 +91,7 @@ pub(super) const BETA: Parameter = Parameter {
     name: "beta",
     symbol: "β",
     symbol_ascii: "beta",
-    help: "elastic force x^(1+beta); collisions stay as alike as can be",
+    help: "elastic force x^(1+beta); collisions stay alike",
     kind: EXPONENT,
     belongs_to: FREE,
     get: |facts| exponents(facts).map(|(beta, _)| Value::Number(beta)),
@@ -116,7 +116,7 @@ pub(super) const STIFFNESS: Parameter = Parameter {
     symbol: "K/m",
     symbol_ascii: "K/m",
     unit: "SI",
-    help: "elastic constant over a pair's reduced mass, in s^-2 m^-beta",
+    help: "elastic constant over reduced mass, in s^-2 m^-beta",
     kind: Kind::Number {
         min: 1e-12,
         max: 1e150,
