@@ -26,6 +26,8 @@ const TIGHTEST: f64 = 1e-14;
 /// How far a column is off its shadow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distance {
+    /// When they were compared, s: a time of the column.
+    pub time: f64,
     /// The largest difference of a bead's height, m.
     pub height: f64,
     /// Difference of the kinetic energy, relative to the larger one.
@@ -58,10 +60,7 @@ pub fn reference(scene: &Scene) -> Result<Scene, String> {
         attraction,
     } = scene.method
     else {
-        return Err(
-            "hard spheres are another model, not a step too long: no exact run to compare with"
-                .into(),
-        );
+        return Err("hard spheres are another model, and have no exact run".into());
     };
     let solver = match (law, solver) {
         (Law::Hooke { .. }, _) => Solver::Exact,
@@ -218,6 +217,7 @@ impl Mark {
         let larger = self.kinetic.max(kinetic);
         let energy = (self.kinetic - kinetic).abs();
         Distance {
+            time: self.time,
             height: beads.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max),
             energy: if larger > 0.0 { energy / larger } else { 0.0 },
         }

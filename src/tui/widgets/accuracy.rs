@@ -12,7 +12,7 @@ use super::trace::clear;
 use crate::live::Accuracy;
 use crate::scene::{Method, Solver};
 use crate::tui::model::{Model, Notice};
-use crate::tui::numbers::{clock, scientific, with_unit};
+use crate::tui::numbers::{clock, scientific, short, with_unit};
 
 /// The axis of the history: from the rounding of a diameter to a diameter, in powers of
 /// ten.
@@ -51,9 +51,7 @@ pub fn render_notice(model: &Model, notice: Notice, area: Rect, row: u16, buffer
 fn too_few(least: f64) -> Vec<String> {
     let least = least.ceil();
     vec![
-        format!(
-            "unstable: closed contacts need steps_per_contact of at least {least}; edit it, or m"
-        ),
+        format!("unstable: closed contacts need steps_per_contact of at least {least}"),
         format!("unstable: needs steps_per_contact >= {least}"),
         format!("unstable: steps < {least}"),
     ]
@@ -88,9 +86,9 @@ fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
             distance: Some(distance),
         }) => {
             let size = model.bench.scenes()[side].diameter;
-            let height = with_unit(distance.height, "m");
-            let share = scientific(distance.height / size);
-            let energy = scientific(distance.energy);
+            let height = length(distance.height);
+            let share = short(distance.height / size);
+            let energy = short(distance.energy);
             let since = clock(*since, model.page.sweep.span);
             (
                 vec![
@@ -105,6 +103,15 @@ fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
             vec![format!("against {against}: not compared yet")],
             theme.quiet(),
         ),
+    }
+}
+
+/// A length that may be far below any unit's prefix.
+fn length(x: f64) -> String {
+    if x > 0.0 && x < 1e-12 {
+        format!("{} m", scientific(x))
+    } else {
+        with_unit(x, "m")
     }
 }
 
@@ -155,7 +162,7 @@ fn now(model: &Model, side: usize) -> String {
         Some(Accuracy::Follows {
             distance: Some(distance),
             ..
-        }) => scientific(distance.height / model.bench.scenes()[side].diameter),
+        }) => short(distance.height / model.bench.scenes()[side].diameter),
         Some(Accuracy::GivenUp(_)) => "given up".to_owned(),
         _ => "-".to_owned(),
     }

@@ -10,7 +10,8 @@ use crate::tui::model::Model;
 use crate::tui::numbers::scientific;
 
 /// Draws the title into the rule above the trace. Where there is no room for all of it
-/// the drift loses a digit first, then the method its numbers.
+/// the drift loses a digit, then the law goes, which the first line of the screen names
+/// too, then the method loses its numbers.
 pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
     let (Some(scene), theme) = (model.bench.scenes().get(index), model.theme) else {
         return;
@@ -26,7 +27,12 @@ pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
         let drift = side.seen.energy.drift;
         [scientific(drift), format!("{drift:.0e}")].map(|number| format!(" drift {number} "))
     });
-    let methods = [in_full(&scene.method), in_short(&scene.method)];
+    let in_full = with_numbers(&scene.method);
+    let methods = [
+        with_law(in_full.clone(), &scene.method),
+        in_full,
+        in_short(&scene.method),
+    ];
     let mut title = line(theme, buffer, inner, 0);
     title
         .skip(2)
@@ -39,15 +45,15 @@ pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
         .iter()
         .flat_map(|method| drifts.iter().map(move |drift| (method, drift)))
         .find(|(method, drift)| wide(method, drift) <= room);
-    let (method, drift) = fitting.unwrap_or((&methods[1], &drifts[1]));
+    let (method, drift) = fitting.unwrap_or((&methods[2], &drifts[1]));
     title
         .put(&format!("  {method} "), theme.quiet())
         .right(drift, theme.quiet());
 }
 
-/// `Gear, t_c/100`; `adaptive, 1e-10, Hertz`.
-fn in_full(method: &Method) -> String {
-    let how = match method {
+/// `Gear, t_c/100`; `adaptive, 1e-10`.
+fn with_numbers(method: &Method) -> String {
+    match method {
         Method::Md {
             solver: Solver::Exact,
             ..
@@ -73,8 +79,7 @@ fn in_full(method: &Method) -> String {
         Method::Ed {
             rule: CollisionRule::Tc { .. },
         } => "hard spheres, rule tc".to_owned(),
-    };
-    with_law(how, method)
+    }
 }
 
 fn in_short(method: &Method) -> String {
