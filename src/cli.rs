@@ -27,7 +27,25 @@ of the centre of mass over the last 90 % of it. A quantity that the scene does
 not have is left out. The same scene and seed give the same bytes, except for
 wall_time and speed, which measure the machine and stand only in json.
 
+Results are printed to the digits that they have, and one more: the last bit of
+the start decides the others (sensitivity; without gravity it is measured unless
+the run is long), or the standard error of a mean.
+
 Exit codes: 0 done, 1 the run failed, 2 bad input.";
+
+const ACCURACY_EXAMPLES: &str = "\
+Examples:
+  beadlab accuracy                       Fig. 1(b): error against run time
+  beadlab accuracy fig1a --set n=50
+  beadlab accuracy fig7-md               a chaotic plate: when runs part, and means
+  beadlab accuracy --out report          also as CSV, JSON and SVG, in a folder";
+
+const STABILITY_EXAMPLES: &str = "\
+Examples:
+  beadlab stability                      every method on every case
+  beadlab stability --steps              the largest stable steps alone
+  beadlab stability --budget 10          more time for what is slow
+  beadlab stability --format json        every verdict in full";
 
 const PRESET_EXAMPLES: &str = "\
 A scene of your own:
@@ -58,6 +76,12 @@ pub enum Command {
     /// Run a scene without pictures and print what it measures
     #[command(after_help = RUN_EXAMPLES, after_long_help = run_long_help())]
     Run(RunArgs),
+    /// Error against run time of every method that fits a scene
+    #[command(after_help = ACCURACY_EXAMPLES)]
+    Accuracy(AccuracyArgs),
+    /// Where each method breaks: stiff and extreme cases, and the largest stable step
+    #[command(after_help = STABILITY_EXAMPLES)]
+    Stability(StabilityArgs),
     /// List the presets, show one as TOML, or check files of your own
     #[command(after_help = PRESET_EXAMPLES)]
     Presets {
@@ -114,9 +138,69 @@ pub struct RunArgs {
     #[arg(long, value_name = "SECONDS", value_parser = positive, allow_hyphen_values = true)]
     pub every: Option<f64>,
 
+    /// Measure what the last bit of the start changes, in more runs
+    #[arg(long, conflicts_with = "every")]
+    pub sensitivity: bool,
+
     /// Write to a file, which appears when it is complete
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+}
+
+/// Arguments of `beadlab accuracy`.
+#[derive(Debug, Args)]
+pub struct AccuracyArgs {
+    /// A preset's name, or a TOML file
+    #[arg(value_name = "PRESET|FILE.toml", default_value = "fig1b")]
+    pub preset: String,
+
+    /// Change a parameter, SI units (repeatable; `beadlab run --help` lists them)
+    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub settings: Vec<String>,
+
+    /// Time for all runs together, in seconds of yours
+    #[arg(long, value_name = "SECONDS", value_parser = budget, allow_hyphen_values = true)]
+    pub budget: Option<f64>,
+
+    /// How it is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
+}
+
+/// Arguments of `beadlab stability`.
+#[derive(Debug, Args)]
+pub struct StabilityArgs {
+    /// Time for one run, in seconds of yours
+    #[arg(long, value_name = "SECONDS", value_parser = budget, allow_hyphen_values = true)]
+    pub budget: Option<f64>,
+
+    /// Only the largest stable steps, found and foretold
+    #[arg(long)]
+    pub steps: bool,
+
+    /// How it is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
+}
+
+/// How a study is reported.
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// How the tables are printed; text has plots too
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+
+    /// Write the report into a folder too: text, JSON, CSV and SVG
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+
+    /// Fewer cases and less time
+    #[arg(long)]
+    pub quick: bool,
+
+    /// Draw with ASCII only
+    #[arg(long)]
+    pub ascii: bool,
 }
 
 /// How results are written.
@@ -124,9 +208,9 @@ pub struct RunArgs {
 pub enum Format {
     /// A table to read
     Text,
-    /// One JSON object
+    /// JSON
     Json,
-    /// Comma-separated values: one row of results, or the motion with --every
+    /// Comma-separated values
     Csv,
 }
 
@@ -166,6 +250,14 @@ fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(x) if x > 0.0 && x.is_finite() => Ok(x),
         _ => Err("must be a number above 0".to_owned()),
+    }
+}
+
+/// Seconds that a person would wait.
+fn budget(text: &str) -> Result<f64, String> {
+    match positive(text)? {
+        x if x <= 1e6 => Ok(x),
+        _ => Err("must be a number above 0 and at most 1e6".to_owned()),
     }
 }
 

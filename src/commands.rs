@@ -1,14 +1,20 @@
 //! What the program does: one file a subcommand.
 
+pub mod accuracy;
 pub mod explore;
+mod output;
 pub mod presets;
+mod progress;
+mod report;
 pub mod run;
+pub mod stability;
 mod usage;
 
 use crate::cli::{Cli, Command};
 use crate::scene::parameters::Setting;
 use crate::scene::words::quote;
 use crate::scene::{MethodName, Preset};
+use crate::study::RunError;
 use clap::Parser;
 use explore::ExploreOptions;
 use std::ffi::OsString;
@@ -22,6 +28,12 @@ pub enum Failure {
     BadInput(String),
     /// The input is right, but the run failed; one line.
     Failed(String),
+}
+
+impl From<RunError> for Failure {
+    fn from(error: RunError) -> Self {
+        Self::Failed(error.to_string())
+    }
 }
 
 /// Runs the program: arguments in, exit code out. What goes wrong is told on
@@ -50,6 +62,8 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
     };
     match cli.command {
         Some(Command::Run(args)) => run::run(&args),
+        Some(Command::Accuracy(args)) => accuracy::run(&args),
+        Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Presets { action }) => presets::presets(action.as_ref()),
         None => {
             let args = cli.explore;
@@ -96,6 +110,11 @@ fn setting(text: &str) -> Result<Setting, Failure> {
 
 fn bad_input(error: impl std::fmt::Display) -> Failure {
     Failure::BadInput(error.to_string())
+}
+
+/// A remark on standard error, where it does not mix with the results.
+fn note(remark: &str) {
+    let _ = writeln!(io::stderr(), "beadlab: note: {remark}");
 }
 
 /// What became of printing: a reader that has seen enough is no failure.

@@ -5,6 +5,7 @@
 //!
 //! - [`scene`]: what is simulated, the table of parameters, presets;
 //! - [`physics`]: how it moves; pure;
+//! - [`study`]: many runs, and what they say; tables and plots;
 //! - [`live`]: the simulation thread and its channels;
 //! - [`tui`]: the explorer on the terminal;
 //! - [`cli`]: the command line's grammar;
@@ -15,4 +16,5 @@ pub mod commands;
 pub mod live;
 pub mod physics;
 pub mod scene;
+pub mod study;
 pub mod tui;

@@ -5,17 +5,21 @@
 //! it is paused it blocks on that channel. [`Frame`]s leave through a slot that
 //! holds the newest one only, so neither side ever waits for the other; the trace
 //! samples of a frame that nobody fetched travel in the next one. An engine that
-//! fails or panics becomes a [`Status::Failed`], and its twin goes on.
+//! fails or panics becomes a [`Status::Failed`], and its twin goes on. When asked, a
+//! run that is exact goes on in the shadow of each soft column, in the time that the
+//! columns leave, and tells their [`Accuracy`].
 
 mod clock;
 mod history;
 mod runner;
+mod shadow;
 mod slot;
 mod sweep;
 mod worker;
 
 pub use history::{History, Row, Sample};
 pub use runner::Build;
+pub use shadow::{Accuracy, Distance, reference};
 pub use sweep::Sweep;
 
 use std::thread;
@@ -43,6 +47,8 @@ pub enum Order {
         speed: f64,
         /// Whether to run at once.
         running: bool,
+        /// Whether exact runs go on in the shadow of soft columns.
+        shadow: bool,
     },
     /// Go on with other scenes from the state in force.
     Edit {
@@ -55,6 +61,9 @@ pub enum Order {
     Run(bool),
     /// Simulated seconds in a second.
     Speed(f64),
+    /// Let exact runs start in the shadow of soft columns, from their present state
+    /// (true), or end.
+    Shadow(bool),
     /// Sample the traces at other times.
     Sweep(Sweep),
     /// Pause, and move on by this many simulated seconds.
@@ -81,6 +90,8 @@ pub struct Side {
     pub seen: Observation,
     /// How it fares.
     pub status: Status,
+    /// Its error, while there is a run in its shadow.
+    pub accuracy: Option<Accuracy>,
 }
 
 /// What the simulation thread shows of itself.

@@ -5,18 +5,23 @@
 //! overlap has. In code gap and bead indices count from 0. Masses are in units of
 //! the mean bead's mass, so energies are per mean bead mass, m²/s².
 
+mod adaptive;
 mod bounce;
 mod column;
 mod contacts;
 mod ed;
 mod exact;
+mod flight;
 mod ledger;
 mod linear_law;
 mod md;
 mod moment;
 mod observation;
 mod plate;
+mod power_law;
+pub mod spectrum;
 mod state;
+mod tournament;
 
 pub use linear_law::{LinearLaw, floor_restitution};
 pub use observation::{Energy, Observation};
@@ -49,6 +54,26 @@ pub enum EngineError {
         /// Steps to the next contact.
         steps: f64,
     },
+    /// The adaptive method would need steps too short to get anywhere.
+    #[error(
+        "the adaptive method is stuck at t = {time:.6e} s: its steps of {step:.1e} s do not \
+         add up to a contact time"
+    )]
+    Stuck {
+        /// When, s.
+        time: f64,
+        /// The last step, s.
+        step: f64,
+    },
+    /// Strongly damped contacts that let go ever more slowly, and never to an end.
+    #[error(
+        "the contacts only creep from t = {time:.6e} s on: with so much damping they never \
+         let go, and the collision never ends"
+    )]
+    Creeping {
+        /// When it was noticed, s.
+        time: f64,
+    },
     /// Hard spheres produced a state that cannot be.
     #[error("the event engine lost the column at t = {time:.6e} s, bead {bead}: {what}")]
     Lost {
@@ -59,6 +84,19 @@ pub enum EngineError {
         /// What was found.
         what: &'static str,
     },
+}
+
+impl EngineError {
+    /// When the engine could not go on, s.
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Unstable { time, .. }
+            | Self::BeyondTime { time, .. }
+            | Self::Stuck { time, .. }
+            | Self::Creeping { time, .. }
+            | Self::Lost { time, .. } => *time,
+        }
+    }
 }
 
 /// How an [`Engine::advance`] ended.
@@ -121,6 +159,10 @@ pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover)
             solver: Solver::Exact,
             ..
         } => exact::build(scene, state),
+        Method::Md {
+            solver: Solver::Adaptive { tolerance },
+            ..
+        } => adaptive::build(scene, tolerance, state),
         Method::Ed { .. } => ed::build(scene, state),
     };
     (engine, handover)

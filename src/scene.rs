@@ -4,7 +4,9 @@
 //! amplitude, a scene without gravity has no weight, a hard-sphere scene has no
 //! contact time. So no engine can pay for it and no panel can show it.
 
+mod encounter;
 mod error;
+mod law;
 mod method;
 pub mod parameters;
 pub mod preset;
@@ -12,7 +14,9 @@ mod start;
 mod validate;
 pub(crate) mod words;
 
+pub use encounter::rebound;
 pub use error::SceneError;
+pub use law::{Exponents, Law, LawName, PowerLaw};
 pub use method::MethodName;
 pub use preset::Preset;
 pub use start::{diameters, initial_gaps};
@@ -81,6 +85,12 @@ pub enum Solver {
     /// To rounding: contact changes are located, and between them the linear column is
     /// propagated as what it is, a linear system.
     Exact,
+    /// By an adaptive method of high order, for power laws: contact changes are located,
+    /// and steps are as long as the tolerance allows.
+    Adaptive {
+        /// Local error of a step, relative to the motion of each contact.
+        tolerance: f64,
+    },
 }
 
 /// How collisions that happen very soon after one another lose energy (ED).
@@ -101,8 +111,8 @@ pub enum CollisionRule {
 pub enum Method {
     /// Soft contacts, molecular dynamics.
     Md {
-        /// Contact time t_c of a pair of equal beads, s, Eq. (6).
-        contact_time: f64,
+        /// The force of a contact.
+        law: Law,
         /// How their motion is computed.
         solver: Solver,
         /// Whether the short attractive end of a contact acts (the paper's law).
@@ -126,7 +136,9 @@ pub struct Facts {
     pub width: f64,
     /// Seed of everything random in the scene.
     pub seed: u64,
-    /// Restitution ε of a pair of mean beads.
+    /// Restitution ε of a pair of mean beads. Under a power law it follows from the law:
+    /// [`Scene::new`] replaces whatever stands here by the restitution of a pair that
+    /// meets at the scene's own speed, so that a hard twin knows it.
     pub restitution: f64,
     /// The floor's contact law.
     pub floor_contact: FloorContact,
@@ -169,16 +181,50 @@ impl Facts {
         }
     }
 
-    /// Contact time t_c, s, of a scene that has one.
+    /// Contact time t_c, s, of a scene that has one. Under a power law, where it depends
+    /// on the speed: that of an undamped pair that meets at the scene's own speed,
+    /// Eq. (A2), by which steps are counted and σ is taken.
     pub fn contact_time(&self) -> Option<f64> {
         match self.method {
-            Method::Md { contact_time, .. }
+            Method::Md {
+                law: Law::Hooke { contact_time },
+                ..
+            }
             | Method::Ed {
                 rule: CollisionRule::Tc { contact_time },
             } => Some(contact_time),
+            Method::Md {
+                law: Law::Power(power),
+                ..
+            } => Some(power.contact_time(self.own_speed())),
             Method::Ed {
                 rule: CollisionRule::Lrv,
             } => None,
+        }
+    }
+
+    /// The law of soft contacts.
+    pub fn law(&self) -> Option<Law> {
+        match self.method {
+            Method::Md { law, .. } => Some(law),
+            Method::Ed { .. } => None,
+        }
+    }
+
+    /// The speed, m/s, at which the beads of this scene meet, roughly: |v₀| of a launched
+    /// column, else the plate's largest speed, else that of a fall by a diameter, √(gd).
+    pub fn own_speed(&self) -> f64 {
+        if let Start::Separated { v0, .. } = self.start
+            && v0 != 0.0
+        {
+            return v0.abs();
+        }
+        match self.floor {
+            Floor::Vibrating {
+                amplitude,
+                frequency,
+            } if amplitude != 0.0 => amplitude * angular(frequency),
+            _ => (self.gravity.unwrap_or(f64::NAN) * self.diameter).sqrt(),
         }
     }
 

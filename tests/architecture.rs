@@ -53,7 +53,13 @@ fn physics_is_pure() {
         "the room is where this test looks"
     );
     let mut forbidden = OUTSIDE.to_vec();
-    forbidden.extend(["crate::live", "crate::tui", "crate::commands", "crate::cli"]);
+    forbidden.extend([
+        "crate::study",
+        "crate::live",
+        "crate::tui",
+        "crate::commands",
+        "crate::cli",
+    ]);
     assert_eq!(mentions("physics", &forbidden), Vec::<String>::new());
 }
 
@@ -61,6 +67,7 @@ fn physics_is_pure() {
 fn scenes_know_no_physics_and_no_face() {
     let forbidden = [
         "crate::physics",
+        "crate::study",
         "crate::live",
         "crate::tui",
         "crate::commands",
@@ -71,6 +78,26 @@ fn scenes_know_no_physics_and_no_face() {
 
 #[test]
 fn the_simulation_thread_knows_no_screen() {
-    let forbidden = ["crate::tui", "crate::commands", "ratatui", "crossterm"];
+    let forbidden = [
+        "crate::study",
+        "crate::tui",
+        "crate::commands",
+        "ratatui",
+        "crossterm",
+    ];
     assert_eq!(mentions("live", &forbidden), Vec::<String>::new());
+}
+
+#[test]
+fn studies_know_no_face() {
+    let forbidden = [
+        "crate::live",
+        "crate::tui",
+        "crate::commands",
+        "crate::cli",
+        "crossterm",
+        "std::fs",
+        "println!",
+    ];
+    assert_eq!(mentions("study", &forbidden), Vec::<String>::new());
 }

@@ -120,8 +120,8 @@ fn bad_arguments_are_refused_in_one_line() {
             &["--format", "xml", "json"],
         ),
         (
-            &["run", "fig1a", "--method", "exact"],
-            &["--method", "exact", "verlet"],
+            &["run", "fig1a", "--method", "euler"],
+            &["--method", "euler", "verlet"],
         ),
         (&["run", "fig1a", "fig1b"], &["fig1b"]),
         (&["rum", "fig1a"], &["'fig1a' cannot be used with"]),

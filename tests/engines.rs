@@ -3,7 +3,7 @@
 
 mod support;
 
-use beadlab::scene::{Facts, Floor, FloorContact, Integrator, Method, Solver, Start};
+use beadlab::scene::{Facts, Floor, FloorContact, Integrator, Law, Method, Solver, Start};
 use support::{
     ED, G, INTEGRATORS, collide, engine, fig1, hard_scenes, look, md, rebound, run, shaken, soft,
 };
@@ -148,7 +148,9 @@ fn a_soft_bead_stays_in_contact_for_its_contact_time() {
 fn cutting_the_attraction_off_raises_the_rebound() {
     // DESIGN §1: 0.3415 becomes 0.3500 at σ = 7 (four digits; this converges to 0.35014).
     let method = Method::Md {
-        contact_time: 0.7e-5,
+        law: Law::Hooke {
+            contact_time: 0.7e-5,
+        },
         solver: Solver::Grid {
             integrator: Integrator::Verlet,
             steps_per_contact: 2000.0,

@@ -3,55 +3,10 @@
 #[path = "support/explorer.rs"]
 mod explorer;
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use beadlab::live::{self, Frame, Live, Order, Status, Sweep};
-use beadlab::scene::{MethodName, Scene};
-use explorer::{Fault, faulty, preset, real};
-
-const LONG: Duration = Duration::from_secs(20);
-
-fn twins(name: &str) -> Vec<Scene> {
-    let soft = preset(name).scene;
-    let hard = soft
-        .with_method(MethodName::Ed)
-        .expect("every scene can be hard");
-    vec![soft, hard]
-}
-
-fn sweep(span: f64, hold: bool) -> Sweep {
-    Sweep {
-        origin: 0.0,
-        span,
-        columns: 60,
-        hold,
-    }
-}
-
-fn load(live: &Live, scenes: Vec<Scene>, sweep: Sweep, speed: f64, running: bool) {
-    let order = Order::Load {
-        generation: 1,
-        scenes,
-        sweep,
-        speed,
-        running,
-    };
-    live.orders
-        .send(order)
-        .expect("the simulation thread listens");
-}
-
-/// The first frame that is as wanted.
-fn until(live: &Live, wanted: impl Fn(&Frame) -> bool) -> Frame {
-    let start = Instant::now();
-    while start.elapsed() < LONG {
-        let frame = live.frames.recv_timeout(LONG).expect("frames come");
-        if wanted(&frame) {
-            return frame;
-        }
-    }
-    panic!("no such frame in {LONG:?}");
-}
+use beadlab::live::{self, Order, Status};
+use explorer::{Fault, faulty, load, real, sweep, twins, until};
 
 #[test]
 fn no_order_is_lost() {

@@ -4,7 +4,7 @@
 mod support;
 
 use beadlab::physics::LinearLaw;
-use beadlab::scene::{Facts, Integrator, Method, Solver, Start};
+use beadlab::scene::{Facts, Integrator, Law, Method, Solver, Start};
 use support::{ED, collide, fig1, md, rebound};
 
 /// s₀, m; converged ε_eff and E_r/E_f of the soft column.
@@ -52,7 +52,9 @@ fn hooke_columns_of_fig_3() {
     assert!((law.contact_time() / 7.0e-5 - 1.0).abs() < 1e-2);
     for (n, expected) in [(1, 0.85414), (10, 0.94005), (50, 0.96860)] {
         let method = Method::Md {
-            contact_time: law.contact_time(),
+            law: Law::Hooke {
+                contact_time: law.contact_time(),
+            },
             solver: Solver::Grid {
                 integrator: Integrator::Gear,
                 steps_per_contact: 1000.0,

@@ -45,6 +45,9 @@ fn the_presets_of_the_design_are_embedded_and_teach() {
         "fig7-ed",
         "steel",
         "aluminium",
+        "fig3-hooke",
+        "fig3-hertz",
+        "fig3-hkk",
         "single-ball",
         "shaken",
     ] {
@@ -318,7 +321,7 @@ fn a_bad_file_is_told_line_column_key_and_value() {
         (
             "\"gear\"",
             "\"euler\"",
-            "own.toml:1:10: method = \"euler\": must be \"gear\" or \"verlet\" or \"ed\"",
+            "own.toml:1:10: method = \"euler\": must be \"gear\" or \"verlet\" or \"exact\" or \"ed\"",
         ),
         (
             "\"gear\"",

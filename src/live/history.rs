@@ -18,6 +18,8 @@ pub struct Row {
     pub kinetic: f64,
     /// Kinetic energy relative to the centre of mass E_r, m²/s².
     pub relative: f64,
+    /// The largest error of a bead's height that was known then, m.
+    pub error: Option<f64>,
 }
 
 /// The columns at one moment.
@@ -39,8 +41,8 @@ pub struct History {
 }
 
 impl Row {
-    /// The row of one observation, its beads thinned to the lines of a trace.
-    pub fn of(seen: &Observation) -> Row {
+    /// The row of one observation and the error known of it, its beads thinned to the lines of a trace.
+    pub fn of(seen: &Observation, error: Option<f64>) -> Row {
         #[expect(clippy::cast_possible_truncation, reason = "drawn, not computed with")]
         let single = |x: f64| x as f32;
         let stride = stride(seen.reduced.len());
@@ -56,6 +58,7 @@ impl Row {
                 .collect(),
             kinetic: seen.energy.kinetic,
             relative: seen.energy.relative,
+            error,
         }
     }
 }
@@ -174,7 +177,7 @@ mod tests {
             reduced: (0..1000).map(f64::from).collect(),
             ..Observation::default()
         };
-        let row = Row::of(&seen);
+        let row = Row::of(&seen, None);
         assert!(row.reduced.len() <= LINES);
         assert_eq!(row.reduced.last(), Some(&999.0));
         assert_eq!(stride(10), 1);

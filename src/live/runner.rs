@@ -56,6 +56,11 @@ impl Runner {
         self.engine.is_ok()
     }
 
+    /// Why its engine stopped, if it did.
+    pub(super) fn failure(&self) -> Option<&str> {
+        self.engine.as_ref().err().map(String::as_str)
+    }
+
     pub(super) fn scene(&self) -> &Scene {
         &self.scene
     }
@@ -123,6 +128,7 @@ impl Runner {
         Side {
             seen: self.seen.clone(),
             status,
+            accuracy: None,
         }
     }
 

@@ -7,8 +7,9 @@ use crossbeam_channel::{Receiver, RecvTimeoutError};
 use super::clock::Clock;
 use super::history::{History, Row, Sample};
 use super::runner::{Build, Runner};
+use super::shadow::Shadow;
 use super::slot::Outlet;
-use super::{Frame, Order, Sweep};
+use super::{Frame, Order, Side, Sweep};
 use crate::physics::State;
 use crate::scene::Scene;
 
@@ -28,6 +29,8 @@ pub(super) struct Worker {
     build: Build,
     outlet: Outlet,
     runners: Vec<Runner>,
+    /// The shadow of each column, while they are asked for.
+    shadows: Option<Vec<Option<Shadow>>>,
     clock: Clock,
     reached: f64,
     speed: f64,
@@ -52,6 +55,7 @@ impl Worker {
             build,
             outlet,
             runners: Vec::new(),
+            shadows: None,
             clock: Clock::new(now),
             reached: 0.0,
             speed: 1.0,
@@ -75,9 +79,9 @@ impl Worker {
 
     /// Carries out orders and moves the columns until the other end is gone.
     pub(super) fn run(mut self, inbox: &Receiver<Order>) {
-        let mut behind = false;
+        let mut busy = false;
         loop {
-            let wait = if behind { Duration::ZERO } else { TICK };
+            let wait = if busy { Duration::ZERO } else { TICK };
             let first = if self.is_idle() {
                 inbox.recv().map_err(|_| RecvTimeoutError::Disconnected)
             } else {
@@ -95,7 +99,9 @@ impl Worker {
             if !self.paused {
                 self.clock.tick(self.reached, Instant::now());
             }
-            behind = !self.advance();
+            let arrived = self.advance();
+            self.follow(arrived);
+            busy = !arrived || self.is_shadow_waited_for();
             self.publish(asked || self.is_idle());
         }
     }
@@ -103,7 +109,8 @@ impl Worker {
     /// Whether nothing moves before the next order.
     fn is_idle(&self) -> bool {
         let moving = !self.paused || self.reached < self.clock.goal();
-        !moving || !self.runners.iter().any(Runner::is_alive)
+        let still = !moving || !self.runners.iter().any(Runner::is_alive);
+        still && !self.is_shadow_waited_for()
     }
 
     fn carry_out(&mut self, order: Order) {
@@ -115,15 +122,21 @@ impl Worker {
                 sweep,
                 speed,
                 running,
+                shadow,
             } => {
                 self.generation = generation;
                 self.set_sweep(sweep);
                 self.set_speed(speed);
                 self.notes.clear();
                 self.restart(scenes);
+                self.shade(shadow);
                 self.set_running(running);
             }
-            Order::Edit { scenes, from } => self.edit(scenes, &from),
+            Order::Edit { scenes, from } => {
+                self.edit(scenes, &from);
+                self.shade_again(&from);
+            }
+            Order::Shadow(on) => self.shade(on),
             Order::Run(running) => self.set_running(running),
             Order::Speed(speed) => self.set_speed(speed),
             Order::Sweep(sweep) => self.set_sweep(sweep),
@@ -178,6 +191,55 @@ impl Worker {
             .zip(sources)
             .map(|(scene, state)| Runner::new(build, scene, Some(state), time))
             .collect();
+    }
+
+    /// Starts the shadows from the present state of the columns, or ends them.
+    fn shade(&mut self, on: bool) {
+        let build = &mut self.build;
+        let columns = self.runners.iter_mut();
+        self.shadows = on.then(|| columns.map(|column| Shadow::of(build, column)).collect());
+    }
+
+    /// Starts the shadows anew after an edit; those that were given up stay so.
+    fn shade_again(&mut self, from: &[usize]) {
+        let Some(mut before) = self.shadows.take() else {
+            return;
+        };
+        self.shade(true);
+        let after = self.shadows.iter_mut().flatten();
+        for (shadow, &own) in after.zip(from) {
+            let old = before.get_mut(own);
+            if let Some(old) = old.filter(|old| old.as_ref().is_some_and(Shadow::is_given_up)) {
+                *shadow = shadow.take().and(old.take());
+            } else if shadow.is_some() {
+                self.notes
+                    .push("the exact run starts again from here".into());
+            }
+        }
+    }
+
+    /// The shadows work on when the columns have `arrived` where the clock wants them.
+    fn follow(&mut self, arrived: bool) {
+        let Some(shadows) = &mut self.shadows else {
+            return;
+        };
+        for (shadow, column) in shadows.iter_mut().zip(&mut self.runners) {
+            // The error of a column that has stopped is known no longer.
+            shadow.take_if(|_| !column.is_alive());
+            if let Some(shadow) = shadow {
+                shadow.follow(column, arrived);
+            }
+        }
+    }
+
+    fn is_shadow_waited_for(&self) -> bool {
+        let mut shadows = self.shadows.iter().flatten().flatten();
+        shadows.any(Shadow::is_waited_for)
+    }
+
+    /// The shadow of a column, where there is one.
+    fn shadow(&self, index: usize) -> Option<&Shadow> {
+        self.shadows.as_ref()?.get(index)?.as_ref()
     }
 
     fn set_running(&mut self, running: bool) {
@@ -264,10 +326,14 @@ impl Worker {
     }
 
     fn record(&mut self) {
+        let errors: Vec<Option<f64>> = (0..self.runners.len())
+            .map(|index| self.shadow(index)?.height())
+            .collect();
         let rows = self
             .runners
             .iter_mut()
-            .map(|runner| runner.is_alive().then(|| Row::of(runner.observe())))
+            .zip(errors)
+            .map(|(runner, error)| runner.is_alive().then(|| Row::of(runner.observe(), error)))
             .collect();
         self.history.push(Sample {
             time: self.reached,
@@ -290,11 +356,15 @@ impl Worker {
         if !at_once && started < self.next_frame {
             return;
         }
+        let mut sides: Vec<Side> = self.runners.iter_mut().map(Runner::side).collect();
+        for (index, side) in sides.iter_mut().enumerate() {
+            side.accuracy = self.shadow(index).map(Shadow::accuracy);
+        }
         let empty = History::new(self.sweep.columns);
         self.outlet.publish(Frame {
             generation: self.generation,
             time: self.reached,
-            sides: self.runners.iter_mut().map(Runner::side).collect(),
+            sides,
             history: std::mem::replace(&mut self.history, empty),
             notes: std::mem::take(&mut self.notes),
             paused: self.paused,

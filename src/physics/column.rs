@@ -1,7 +1,8 @@
 //! The beads: masses, and the constants of their contacts.
 
 use super::linear_law::{LinearLaw, pair_restitution, same_spring_floor};
-use crate::scene::{FloorContact, Scene, diameters};
+use super::power_law::Spring;
+use crate::scene::{FloorContact, Law, PowerLaw, Scene, diameters};
 
 /// Masses of the beads of a scene, in mean bead masses (m ∝ d³).
 pub(crate) fn masses(scene: &Scene) -> Vec<f64> {
@@ -41,36 +42,46 @@ pub(crate) fn restitutions(scene: &Scene, masses: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Spring and dashpot of one contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Spring {
-    /// K, 1/s².
-    pub stiffness: f64,
-    /// c, 1/s: the force is −K g − c ġ.
-    pub dashpot: f64,
-}
-
-/// Spring and dashpot of every contact of a soft column; index 0 is the floor's.
-pub(crate) fn springs(scene: &Scene, masses: &[f64], contact_time: f64) -> Vec<Spring> {
-    let law = LinearLaw::new(scene.restitution, contact_time);
+/// Spring and dashpot of every contact of a soft column; index 0 is the floor's. Hard
+/// beads have none.
+pub(crate) fn springs(scene: &Scene, masses: &[f64]) -> Vec<Spring> {
+    let Some(law) = scene.law() else {
+        return Vec::new();
+    };
+    // Of a contact between masses of which `twice` the reduced one is given, Eqs. (3), (8).
+    let (spring, pair_stiffness): (Box<dyn Fn(f64, f64) -> Spring>, f64) = match law {
+        Law::Hooke { contact_time } => {
+            let law = LinearLaw::new(scene.restitution, contact_time);
+            let spring = move |stiffness, twice| Spring::linear(stiffness, law.mu() * twice);
+            (Box::new(spring), law.stiffness())
+        }
+        Law::Power(law) => {
+            let spring = move |stiffness, twice| Spring {
+                stiffness,
+                dashpot: law.damping * twice,
+                beta: law.exponents.beta(),
+                gamma: law.exponents.gamma(),
+            };
+            (Box::new(spring), 0.5 * law.stiffness)
+        }
+    };
     let floor = match scene.floor_contact {
-        FloorContact::SameSpring => Spring {
-            stiffness: law.stiffness(),
-            dashpot: law.mu() * masses[0],
-        },
-        FloorContact::SameRestitution => Spring {
-            stiffness: law.omega0_squared() * masses[0],
-            dashpot: 2.0 * law.mu() * masses[0],
-        },
+        FloorContact::SameSpring => spring(pair_stiffness, masses[0]),
+        FloorContact::SameRestitution => spring(2.0 * pair_stiffness * masses[0], 2.0 * masses[0]),
     };
-    // c = D_n m_ij with m_ij twice the reduced mass, Eq. (3).
-    let pair = |i| Spring {
-        stiffness: law.stiffness(),
-        dashpot: 2.0 * law.mu() * reduced_mass(masses, i),
-    };
+    let pair = |i| spring(pair_stiffness, 2.0 * reduced_mass(masses, i));
     std::iter::once(floor)
         .chain((1..masses.len()).map(pair))
         .collect()
+}
+
+/// The law of a contact by itself, in the terms of a pair of mean beads.
+pub(crate) fn alone(law: &PowerLaw, spring: &Spring, reduced: f64) -> PowerLaw {
+    PowerLaw {
+        stiffness: spring.stiffness / reduced,
+        damping: 0.5 * spring.dashpot / reduced,
+        ..*law
+    }
 }
 
 /// A floor collision is over when what is to come cannot change E by this part of it.
@@ -91,13 +102,18 @@ pub(crate) fn velocities(rates: impl Iterator<Item = f64>) -> Vec<f64> {
 /// a fixed floor by [`OVER`] of itself.
 pub(crate) fn nothing_to_come(rates: impl Iterator<Item = f64>, masses: &[f64]) -> bool {
     let now = velocities(rates);
+    let energy: f64 = now.iter().zip(masses).map(|(v, m)| 0.5 * m * v * v).sum();
+    most_to_lose(now, masses) <= OVER * energy
+}
+
+/// The most energy, m²/s², that collisions still to come can take from free beads of
+/// these velocities above a fixed floor.
+pub(crate) fn most_to_lose(now: Vec<f64>, masses: &[f64]) -> f64 {
     let mut last = now.clone();
     totally_inelastic(&mut last, masses, true);
-    let energy: f64 = now.iter().zip(masses).map(|(v, m)| m * v * v).sum();
     // Directly: a difference of energies would hide losses below 10⁻¹⁶ of them.
-    let lost = now.iter().zip(&last).zip(masses);
-    let lost: f64 = lost.map(|((v, u), m)| m * (v - u) * (v + u)).sum();
-    lost <= OVER * energy
+    let lost = now.into_iter().zip(last).zip(masses);
+    lost.map(|((v, u), m)| 0.5 * m * (v - u) * (v + u)).sum()
 }
 
 /// The velocities nearest to `velocities` (in the kinetic-energy norm) that approach

@@ -7,21 +7,19 @@
 
 mod cascade;
 mod chatter;
-mod ground;
 mod rule;
-mod tournament;
 
 use super::column::{masses, nothing_to_come, reduced_mass, restitutions};
+use super::flight::{Free, Ground, Shaken, Weight, closing};
 use super::ledger::Sum;
 use super::moment::Moment;
 use super::observation::Observation;
 use super::state::{State, weight};
+use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{CollisionRule, Floor, Method, Scene, Start};
 use chatter::Chatter;
-use ground::{Free, Ground, Shaken, Weight, closing};
 use rule::{Always, LastCollisions, Rule};
-use tournament::Tournament;
 
 /// Part of the scene's own speed below which an approach counts as none: the
 /// threshold of the LRV procedure.

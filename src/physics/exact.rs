@@ -1,29 +1,422 @@
-//! STAND-IN until the exact engine lands: Verlet on a fine grid.
-use super::state::State;
-use super::{Engine, md};
-use crate::scene::{Facts, Integrator, Method, Scene, Solver};
+//! Soft contacts to rounding: contact changes are located, and between them the column
+//! is propagated as what it is, a linear system.
+//!
+//! Every gap keeps its value and rate at a time of its own, as in the event-driven
+//! engine. Gaps that feel a force (pushing contacts and the gaps beside them) form
+//! clusters, which move independently of each other; a cluster costs one Taylor series
+//! per step of about half a contact time, or to its next contact change. Gaps outside
+//! clusters are in free flight and cost nothing until they close.
 
+mod cluster;
+mod crossing;
+mod encounter;
+mod passage;
+mod repose;
+mod rest;
+mod series;
+
+use super::column::{OVER, masses, most_to_lose, springs, velocities};
+use super::flight::{Free, Ground, Shaken, Weight};
+use super::moment::Moment;
+use super::observation::Observation;
+use super::power_law::Spring;
+use super::state::{Books, State, weight};
+use super::tournament::Tournament;
+use super::{Engine, EngineError, Outcome};
+use crate::scene::{Floor, Law, Method, Scene};
+use cluster::Plan;
+use crossing::ROWS;
+use encounter::Encounter;
+use repose::Repose;
+use series::Coupling;
+
+/// Contact times in a tick of the epoch. What is known of a time is a bit of its distance
+/// from the epoch, and of a flight through a gap a bit of its length: ticks are short,
+/// so that clocks lose no more than gaps do.
+const TICK: f64 = 2.0;
+/// Places behind the last gap: whole lanes, and the forces at both ends.
+const PADDING: usize = 6;
+/// Events between two looks whether creeping contacts have spent all energy.
+const INSPECTION: u64 = 256;
+
+/// Builds the engine of a scene with the exact solver.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let Method::Md {
-        contact_time,
-        attraction,
-        ..
-    } = scene.method
-    else {
-        unreachable!()
-    };
-    let solver = Solver::Grid {
-        integrator: Integrator::Verlet,
-        steps_per_contact: 2000.0,
-    };
-    let method = Method::Md {
-        contact_time,
-        solver,
-        attraction,
-    };
-    let facts = Facts {
-        method,
-        ..scene.facts().clone()
-    };
-    md::build(&Scene::new(facts).expect("as before"), state)
+    let plate = state.plate;
+    match (scene.floor, scene.gravity) {
+        (Floor::Vibrating { .. }, gravity) => {
+            let ground = Shaken::new(gravity.unwrap_or(0.0), plate);
+            Box::new(Exact::new(scene, state, ground))
+        }
+        (Floor::Fixed, Some(gravity)) => {
+            let ground = Weight::new(gravity, plate, scene.diameter);
+            Box::new(Exact::new(scene, state, ground))
+        }
+        (Floor::Fixed, None) => Box::new(Exact::new(scene, state, Free { plate })),
+    }
+}
+
+/// What a gap does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    /// It is open.
+    Open,
+    /// It is a contact, and its force acts.
+    Pushing,
+    /// It is a contact whose attraction is cut off.
+    Idle,
+}
+
+/// A gap as it was at a time of its own.
+#[derive(Debug, Clone, Copy)]
+struct Gap {
+    g: f64,
+    w: f64,
+    /// s from the epoch.
+    t: f64,
+}
+
+/// A soft column, exactly.
+struct Exact<G> {
+    ground: G,
+    masses: Vec<f64>,
+    /// 1/m of each bead.
+    inverse: Vec<f64>,
+    springs: Vec<Spring>,
+    /// How each contact goes when nothing else touches its beads.
+    encounters: Vec<Option<Encounter>>,
+    attraction: bool,
+    gravity: f64,
+    /// The most that a free lowest gap can accelerate towards the floor, m/s².
+    pull: f64,
+    gaps: Vec<Gap>,
+    modes: Vec<Mode>,
+    /// The first gap of the cluster that each gap is in; itself in flight.
+    first: Vec<usize>,
+    /// One past the last gap of the cluster that starts at each gap.
+    end: Vec<usize>,
+    /// How the cluster that starts at each gap moves.
+    plans: Vec<Plan>,
+    /// Taylor coefficients, in the space of each cluster's gaps.
+    coefficients: Vec<f64>,
+    coupling: Coupling,
+    /// Room to work in.
+    room: Room,
+    /// When the plan of each cluster ends, at the cluster's first gap.
+    queue: Tournament,
+    /// Time of the epoch: `origin`, s, and `ticks` ticks of `tick` s, a power of two.
+    origin: f64,
+    ticks: f64,
+    tick: f64,
+    /// Now, s from the epoch.
+    now: f64,
+    repose: Repose,
+    /// Changes in a row that took no time.
+    instant: usize,
+    over: bool,
+    state: State,
+}
+
+/// Rows to work in, as long as the longest cluster, padded.
+#[derive(Debug, Default)]
+struct Room {
+    a: Vec<f64>,
+    b: Vec<f64>,
+    sign: Vec<f64>,
+}
+
+impl Room {
+    fn of(n: usize) -> Self {
+        Self {
+            a: vec![0.0; n + PADDING],
+            b: vec![0.0; n + PADDING],
+            sign: Vec::with_capacity(n + PADDING),
+        }
+    }
+}
+
+impl<G: Ground> Exact<G> {
+    fn new(scene: &Scene, state: State, ground: G) -> Self {
+        let Method::Md {
+            law: Law::Hooke { contact_time },
+            attraction,
+            ..
+        } = scene.method
+        else {
+            unreachable!("physics::build hands linear scenes to this room");
+        };
+        let n = scene.n;
+        let masses = masses(scene);
+        let springs = springs(scene, &masses);
+        let shake = state.plate.amplitude * state.plate.omega.powi(2);
+        let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
+        let mut exact = Self {
+            encounters: Encounter::all(&springs, &masses),
+            springs,
+            pull: weight(scene) + shake,
+            inverse: masses.iter().map(|m| 1.0 / m).collect(),
+            attraction,
+            gravity: weight(scene),
+            gaps: state.gaps.iter().zip(&state.rates).map(gap).collect(),
+            modes: vec![Mode::Open; n],
+            first: (0..n).collect(),
+            end: (1..=n).collect(),
+            plans: vec![Plan::Flight; n],
+            // A cluster of one gap, padded to four, is the whole of a single bead.
+            coefficients: vec![0.0; ROWS * (2 * n).max(4)],
+            coupling: Coupling::default(),
+            room: Room::of(n),
+            queue: Tournament::new(n),
+            origin: state.time,
+            ticks: 0.0,
+            tick: (TICK * contact_time).log2().round().exp2(),
+            now: 0.0,
+            repose: Repose::new(n),
+            instant: 0,
+            over: false,
+            masses,
+            ground,
+            state,
+        };
+        exact.begin();
+        exact
+    }
+
+    /// Finds the contacts, opens the ledger and plans every cluster.
+    fn begin(&mut self) {
+        let n = self.gaps.len();
+        for i in 0..n {
+            self.modes[i] = self.mode_of(i);
+            let closed = self.modes[i] != Mode::Open;
+            self.state.books.contacts.note(i, closed, self.state.time);
+        }
+        let (gaps, rates) = self.gaps_and_rates(0.0);
+        if self.modes[0] != Mode::Open {
+            let arrival = self.moment(&gaps, &rates, 0.0).arrival();
+            self.state.books.bounce.begin(arrival);
+        }
+        let energy = self.moment(&gaps, &rates, 0.0).energy();
+        let error = self.state.ledger_error;
+        self.state.books.ledger.open(energy, error);
+        self.regroup(0, n, 0.0);
+    }
+
+    /// What a gap does by its place and rate. Beads just touching are in contact.
+    fn mode_of(&self, i: usize) -> Mode {
+        let Gap { g, w, .. } = self.gaps[i];
+        let spring = self.springs[i];
+        match () {
+            () if g > 0.0 => Mode::Open,
+            () if self.attraction || spring.stiffness * g + spring.dashpot * w <= 0.0 => {
+                Mode::Pushing
+            }
+            () => Mode::Idle,
+        }
+    }
+
+    /// Simulated time of `t`, s.
+    fn absolute(&self, t: f64) -> f64 {
+        self.origin + (self.ticks * self.tick + t)
+    }
+
+    fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Moment<'a> {
+        Moment {
+            time: self.absolute(t),
+            gaps,
+            rates,
+            plate: self.ground.plate(t),
+            masses: &self.masses,
+            gravity: self.gravity,
+            springs: &self.springs,
+        }
+    }
+
+    /// Moves the epoch to the last tick before now, so that times keep their digits.
+    fn move_epoch(&mut self) {
+        if self.now < self.tick {
+            return;
+        }
+        let ticks = (self.now / self.tick).floor();
+        let shift = ticks * self.tick;
+        self.ticks += ticks;
+        self.now -= shift;
+        for gap in &mut self.gaps {
+            gap.t -= shift;
+        }
+        self.queue.shift(shift);
+        self.ground
+            .set_plate(self.state.plate.later(self.ticks * self.tick));
+    }
+
+    /// Carries out what the cluster that starts at `i` has planned, at `t`.
+    fn carry_out(&mut self, i: usize, t: f64) -> Result<(), EngineError> {
+        let taken = t - self.gaps[i].t;
+        self.instant = if taken > 0.0 { 0 } else { self.instant + 1 };
+        let end = self.end[i];
+        let change = self.finish(i, t);
+        if let Some((gap, mode)) = change {
+            self.change(gap, mode, t);
+        }
+        let what = match () {
+            () if !self.gaps[i].w.is_finite() => "a relative velocity is not finite",
+            () if self.instant > 1000 + 20 * self.gaps.len() => {
+                "contacts open and close without end at one instant"
+            }
+            () => {
+                self.regroup(i, end, t);
+                return Ok(());
+            }
+        };
+        Err(EngineError::Lost {
+            time: self.absolute(t),
+            bead: i + 1,
+            what,
+        })
+    }
+
+    /// Gap `i` begins or ends to be a contact, or its attraction begins or ends.
+    fn change(&mut self, i: usize, mode: Mode, t: f64) {
+        let was_closed = self.modes[i] != Mode::Open;
+        let closed = mode != Mode::Open;
+        self.modes[i] = mode;
+        if i <= self.end[0] {
+            self.repose.disturb();
+        }
+        if closed == was_closed {
+            // The force is zero now, whatever rounding says.
+            let Spring {
+                stiffness, dashpot, ..
+            } = self.springs[i];
+            if dashpot > 0.0 {
+                self.gaps[i].w = -stiffness * self.gaps[i].g / dashpot;
+            }
+            return;
+        }
+        self.gaps[i].g = 0.0;
+        self.state.books.events += 1;
+        self.state.books.contacts.note(i, closed, self.absolute(t));
+        if i == 0 {
+            let (gaps, rates) = self.gaps_and_rates(t);
+            let arrival = self.moment(&gaps, &rates, t).arrival();
+            if closed {
+                self.state.books.bounce.begin(arrival);
+            } else {
+                self.state.books.bounce.end(arrival.translation);
+            }
+        }
+    }
+
+    /// Whether a floor collision without gravity is over, looked at when all contacts
+    /// have opened and now and then: overdamped contacts of heavy pairs never open, but
+    /// spend all they have.
+    fn look_whether_over(&mut self) {
+        if G::PULLS || self.over {
+            return;
+        }
+        let open = self.state.books.contacts.all_open();
+        if !open && !self.state.books.steps.is_multiple_of(INSPECTION) {
+            return;
+        }
+        let (gaps, rates) = self.gaps_and_rates(self.now);
+        let energy = self.moment(&gaps, &rates, self.now).energy();
+        let spent = open || energy.elastic <= OVER * energy.kinetic;
+        // Of E_r, too, no part is to be lost that would show, unless it is nothing itself.
+        let least = energy
+            .relative
+            .max(OVER * energy.kinetic)
+            .min(energy.kinetic);
+        let lost = || most_to_lose(velocities(rates.into_iter()), &self.masses);
+        self.over = spent && lost() <= OVER * least;
+    }
+
+    /// What is accounted for, up to now.
+    fn books(&self) -> Books {
+        let mut books = self.state.books.clone();
+        let mut room = Room::of(self.gaps.len());
+        let mut i = 0;
+        while i < self.gaps.len() {
+            self.account(i, self.now, &mut books.ledger, &mut room);
+            i = self.end[i];
+        }
+        books
+    }
+}
+
+impl<G: Ground> Engine for Exact<G> {
+    fn time(&self) -> f64 {
+        self.absolute(self.now)
+    }
+
+    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+        let mut left = budget;
+        loop {
+            let (i, t) = self.queue.first();
+            // As `next_event` says it, so that advancing to there includes the event.
+            if self.absolute(t) > until || t.is_infinite() {
+                // Not past the next event, which rounding could do.
+                let end = ((until - self.origin) - self.ticks * self.tick).min(t);
+                self.now = self.now.max(end);
+                self.over |= !G::PULLS && t.is_infinite();
+                return Ok(if self.over {
+                    Outcome::Over
+                } else {
+                    Outcome::Reached
+                });
+            }
+            if left == 0 {
+                return Ok(Outcome::OutOfBudget);
+            }
+            left -= 1;
+            // An observation may have moved `now` on, but never past this.
+            self.now = t;
+            self.carry_out(i, t)?;
+            self.look_whether_over();
+            self.move_epoch();
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.over
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        let (_, t) = self.queue.first();
+        t.is_finite().then(|| self.absolute(t))
+    }
+
+    fn observe(&self, into: &mut Observation) {
+        let (gaps, rates) = self.gaps_and_rates(self.now);
+        self.moment(&gaps, &rates, self.now)
+            .observe(&self.books(), into);
+    }
+
+    fn state(&self) -> State {
+        let (gaps, rates) = self.gaps_and_rates(self.now);
+        let books = self.books();
+        let energy = self.moment(&gaps, &rates, self.now).energy();
+        State {
+            time: self.time(),
+            plate: self.ground.plate(self.now),
+            ledger_error: books.ledger.error(energy),
+            springs: self.springs.clone(),
+            books,
+            gaps,
+            rates,
+        }
+    }
+}
+
+impl<G: Ground> Exact<G> {
+    fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
+        let n = self.gaps.len();
+        let (mut gaps, mut rates) = (vec![0.0; n + PADDING], vec![0.0; n + PADDING]);
+        let mut i = 0;
+        while i < n {
+            // Upwards, so that what is written behind a cluster is written over.
+            self.at(i, t, &mut gaps[i..], &mut rates[i..]);
+            i = self.end[i];
+        }
+        gaps.truncate(n);
+        rates.truncate(n);
+        (gaps, rates)
+    }
 }

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::scene::{FloorContact, Scene, diameters};
+use super::column::{alone, masses, springs};
+use crate::scene::{FloorContact, Law, Method, Scene, diameters, rebound};
 
 /// The linear law of a pair of mean beads, from its restitution and contact time.
 ///
@@ -94,8 +95,23 @@ fn damped_rebound(mean: f64, share_of_mu: f64, reduced: f64) -> f64 {
     (-PI * share_of_mu * (s / discriminant).sqrt()).exp()
 }
 
-/// Restitution of the floor contact in force in a scene.
+/// Restitution of the floor contact in force in a scene; under a power law that of a
+/// bead that arrives at the scene's own speed.
 pub fn floor_restitution(scene: &Scene) -> f64 {
+    if let Method::Md {
+        law: Law::Power(law),
+        attraction,
+        ..
+    } = scene.method
+    {
+        let masses = masses(scene);
+        let floor = springs(scene, &masses)[0];
+        return rebound(
+            &alone(&law, &floor, masses[0]),
+            attraction,
+            scene.own_speed(),
+        );
+    }
     match scene.floor_contact {
         FloorContact::SameRestitution => scene.restitution,
         FloorContact::SameSpring => {

@@ -8,19 +8,23 @@ mod chain;
 mod gear;
 mod ground;
 mod lanes;
+mod powered;
 mod stepper;
 mod verlet;
 
-use super::column::{OVER, Spring, masses, nothing_to_come, springs};
+use super::column::{OVER, masses, nothing_to_come, springs};
 use super::ledger::Ledger;
 use super::moment::Moment;
 use super::observation::Observation;
+use super::power_law::Spring;
 use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{Floor, Integrator, Method, Scene, Solver};
+use crate::scene::{self, Floor, Integrator, Method, Scene, Solver};
 use chain::{Chain, Equal, Law, Linear, Unequal};
+pub(super) use gear::CORRECTOR;
 use gear::Gear;
 use ground::{Free, Ground, Shaken, Weight};
+use powered::Powered;
 use stepper::{Power, Stepper};
 use verlet::Verlet;
 
@@ -41,14 +45,18 @@ struct Grid {
 
 /// Builds the engine of an MD scene on a grid of time steps.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let Method::Md {
-        contact_time,
-        solver: Solver::Grid {
-            integrator,
-            steps_per_contact,
+    let (
+        Method::Md {
+            solver:
+                Solver::Grid {
+                    integrator,
+                    steps_per_contact,
+                },
+            attraction,
+            ..
         },
-        attraction,
-    } = scene.method
+        Some(contact_time),
+    ) = (scene.method, scene.contact_time())
     else {
         unreachable!("physics::build hands scenes on a grid to this room");
     };
@@ -87,23 +95,19 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
     ground: G,
 ) -> Box<dyn Engine> {
     let masses = masses(scene);
-    let springs = springs(scene, &masses, grid.contact_time);
+    let springs = springs(scene, &masses);
     let column = Column {
         ground,
         masses,
         springs,
     };
-    if grid.attraction {
-        let laws = linear_laws::<true>(&column.springs);
-        with_law::<S, _, _>(scene, grid, state, column, &laws)
-    } else {
-        let laws = linear_laws::<false>(&column.springs);
-        with_law::<S, _, _>(scene, grid, state, column, &laws)
+    let power = matches!(scene.law(), Some(scene::Law::Power(_)));
+    match (power, grid.attraction) {
+        (false, true) => with_law::<S, _, _>(scene, grid, state, column, Linear::<true>),
+        (false, false) => with_law::<S, _, _>(scene, grid, state, column, Linear::<false>),
+        (true, true) => with_law::<S, _, _>(scene, grid, state, column, Powered::<true>),
+        (true, false) => with_law::<S, _, _>(scene, grid, state, column, Powered::<false>),
     }
-}
-
-fn linear_laws<const ATTRACTION: bool>(springs: &[Spring]) -> Vec<Linear<ATTRACTION>> {
-    springs.iter().copied().map(Linear).collect()
 }
 
 fn with_law<S: Stepper + 'static, G: Ground + 'static, L: Law + 'static>(
@@ -111,12 +115,13 @@ fn with_law<S: Stepper + 'static, G: Ground + 'static, L: Law + 'static>(
     grid: Grid,
     state: State,
     column: Column<G>,
-    laws: &[L],
+    law: impl Fn(Spring) -> L,
 ) -> Box<dyn Engine> {
+    let laws: Vec<L> = column.springs.iter().map(|&spring| law(spring)).collect();
     if scene.width == 0.0 {
-        Md::<S, G, _>::boxed(scene, grid, state, column, Equal::new(laws))
+        Md::<S, G, _>::boxed(scene, grid, state, column, Equal::new(&laws))
     } else {
-        let chain = Unequal::new(laws, &column.masses);
+        let chain = Unequal::new(&laws, &column.masses);
         Md::<S, G, _>::boxed(scene, grid, state, column, chain)
     }
 }

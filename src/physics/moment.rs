@@ -1,9 +1,9 @@
 //! One moment of a column: what follows from gaps and rates.
 
 use super::bounce::Arrival;
-use super::column::Spring;
 use super::observation::{Energy, Observation};
 use super::plate::Plate;
+use super::power_law::Spring;
 use super::state::Books;
 
 /// Gaps, rates and all that gives them meaning.
@@ -46,9 +46,7 @@ impl Moment<'_> {
             kinetic,
             relative: self.relative(momentum / mass),
             potential: self.gravity * height,
-            elastic: elastic
-                .map(|(g, spring)| 0.5 * spring.stiffness * g * g)
-                .sum(),
+            elastic: elastic.map(|(g, spring)| spring.energy(-g)).sum(),
             ..Energy::default()
         }
     }

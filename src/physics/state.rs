@@ -1,10 +1,11 @@
 //! The whole state of a column, and how it passes from one engine to another.
 
 use super::bounce::Bounce;
-use super::column::{Spring, masses, springs};
+use super::column::{masses, springs};
 use super::contacts::ContactLog;
 use super::ledger::Ledger;
 use super::plate::Plate;
+use super::power_law::Spring;
 use crate::scene::{Facts, Scene, Start, initial_gaps};
 
 /// What a run keeps account of, whatever moves it.
@@ -119,18 +120,15 @@ impl State {
         state.rates[0] += self.plate.velocity() - state.plate.velocity();
         state.books.contacts.set_period(scene.period());
         let mut handover = Handover::default();
-        match scene.contact_time().filter(|_| scene.is_md()) {
+        match scene.law() {
             Some(_) if self.springs.is_empty() => {
                 handover.overlaps_loaded = state.load_resting_contacts(scene);
             }
-            Some(contact_time) => {
-                let new = springs(scene, &masses(scene), contact_time);
+            Some(_) => {
+                let new = springs(scene, &masses(scene));
                 for ((g, old), new) in state.gaps.iter_mut().zip(&self.springs).zip(&new) {
-                    // Stiffer contacts keep their force, softer ones their overlap: no
-                    // edit stores up energy. A column at rest stays so under the former
-                    // and settles a little deeper under the latter.
                     if *g < 0.0 {
-                        *g *= (old.stiffness / new.stiffness).min(1.0);
+                        *g = -new.takes_over(old, -*g);
                     }
                 }
             }
@@ -148,10 +146,7 @@ impl State {
     /// Gives the soft contacts of beads that rest on the floor the overlap that
     /// carries their load; how many they are.
     fn load_resting_contacts(&mut self, scene: &Scene) -> usize {
-        let (Some(gravity), Some(contact_time)) = (
-            scene.gravity,
-            scene.contact_time().filter(|_| scene.is_md()),
-        ) else {
+        let Some(gravity) = scene.gravity.filter(|_| scene.is_md()) else {
             return 0;
         };
         let masses = masses(scene);
@@ -165,11 +160,11 @@ impl State {
         if pull <= 0.0 {
             return 0;
         }
-        let springs = springs(scene, &masses, contact_time);
+        let springs = springs(scene, &masses);
         let mut load = 0.0;
         for i in (0..resting).rev() {
             load += masses[i] * pull;
-            self.gaps[i] = -load / springs[i].stiffness;
+            self.gaps[i] = -springs[i].overlap_under(load);
         }
         resting
     }

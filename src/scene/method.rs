@@ -1,10 +1,16 @@
 //! Methods by the names that people type, and the change from one to another.
 
-use super::{CollisionRule, Facts, Integrator, Method, Scene, SceneError, Solver};
+use super::{
+    CollisionRule, Exponents, Facts, Integrator, Law, LawName, Method, PowerLaw, Scene, SceneError,
+    Solver,
+};
 use crate::scene::parameters;
 
 /// Steps in a contact time where nobody says otherwise.
 const COMMON_STEPS: f64 = 100.0;
+
+/// Tolerance of the adaptive method where nobody says otherwise.
+const COMMON_TOLERANCE: f64 = 1e-10;
 
 /// The name of a method on the command line and in preset files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,7 +19,7 @@ pub enum MethodName {
     Gear,
     /// Soft contacts, velocity Verlet.
     Verlet,
-    /// Soft contacts, to rounding.
+    /// Soft contacts, to rounding; under power laws to a tolerance.
     Exact,
     /// Hard spheres, event driven.
     Ed,
@@ -38,7 +44,7 @@ impl MethodName {
         match self {
             Self::Gear => "soft contacts, Gear's predictor-corrector of fifth order",
             Self::Verlet => "soft contacts, velocity Verlet",
-            Self::Exact => "soft contacts, exact to rounding, contact changes located",
+            Self::Exact => "soft contacts to rounding (power laws: to tolerance)",
             Self::Ed => "hard spheres, event driven",
         }
     }
@@ -62,7 +68,7 @@ impl Method {
                     integrator: Integrator::Verlet,
                     ..
                 } => MethodName::Verlet,
-                Solver::Exact => MethodName::Exact,
+                Solver::Exact | Solver::Adaptive { .. } => MethodName::Exact,
             },
             Self::Ed { .. } => MethodName::Ed,
         }
@@ -77,7 +83,7 @@ impl Facts {
         let method = match name {
             MethodName::Gear => self.soft(self.on_grid(Integrator::Gear)),
             MethodName::Verlet => self.soft(self.on_grid(Integrator::Verlet)),
-            MethodName::Exact => self.soft(Solver::Exact),
+            MethodName::Exact => self.soft(self.located()),
             MethodName::Ed => match self.method {
                 Method::Md { .. } => Method::Ed {
                     rule: CollisionRule::Lrv,
@@ -108,19 +114,69 @@ impl Facts {
         }
     }
 
+    /// The solver that locates contact changes, for the law in force.
+    fn located(&self) -> Solver {
+        match self.method {
+            Method::Md {
+                solver: solver @ (Solver::Exact | Solver::Adaptive { .. }),
+                ..
+            } => solver,
+            _ => located(self.law().is_some_and(|law| law.name() != LawName::Hooke)),
+        }
+    }
+
+    /// Puts another law in force whose collisions at the scene's own speed are as alike
+    /// as can be (see [`PowerLaw::like`]), and the solver that goes with it.
+    pub(in crate::scene) fn obey(&mut self, name: LawName) {
+        let speed = self.own_speed();
+        let restitution = self.restitution;
+        let Method::Md { law, solver, .. } = &mut self.method else {
+            return;
+        };
+        if law.name() == name {
+            return;
+        }
+        let before = match *law {
+            Law::Hooke { contact_time } => PowerLaw::linear(restitution, contact_time),
+            Law::Power(power) => power,
+        };
+        let exponents = match name {
+            LawName::Hooke => {
+                let contact_time;
+                (self.restitution, contact_time) = before.hooke(speed);
+                *law = Law::Hooke { contact_time };
+                if matches!(solver, Solver::Adaptive { .. }) {
+                    *solver = located(false);
+                }
+                return;
+            }
+            LawName::Hertz => Exponents::Hertz,
+            LawName::HertzKuwabaraKono => Exponents::HertzKuwabaraKono,
+            LawName::Taguchi => Exponents::Taguchi,
+            LawName::Power => Exponents::Free {
+                beta: before.exponents.beta(),
+                gamma: before.exponents.gamma(),
+            },
+        };
+        *law = Law::Power(before.like(exponents, speed));
+        if matches!(solver, Solver::Exact) {
+            *solver = located(true);
+        }
+    }
+
     fn soft(&self, solver: Solver) -> Method {
         match self.method {
             Method::Md {
-                contact_time,
-                attraction,
-                ..
+                law, attraction, ..
             } => Method::Md {
-                contact_time,
+                law,
                 solver,
                 attraction,
             },
             Method::Ed { .. } => Method::Md {
-                contact_time: self.contact_time().unwrap_or(f64::NAN),
+                law: Law::Hooke {
+                    contact_time: self.contact_time().unwrap_or(f64::NAN),
+                },
                 solver,
                 attraction: true,
             },
@@ -128,8 +184,20 @@ impl Facts {
     }
 }
 
+/// The solver that locates contact changes, of the linear law or of a power law.
+fn located(power: bool) -> Solver {
+    if power {
+        Solver::Adaptive {
+            tolerance: COMMON_TOLERANCE,
+        }
+    } else {
+        Solver::Exact
+    }
+}
+
 impl Scene {
-    /// The same scene under another method: hard spheres drop the contact time.
+    /// The same scene under another method: hard spheres drop the contact's law, but
+    /// keep the restitution of a pair that meets at the scene's own speed.
     ///
     /// # Errors
     /// When the scene has no contact time for soft contacts, or a restitution of

@@ -1,7 +1,7 @@
 //! The one place where facts become a scene.
 
 use super::parameters::{self, Value};
-use super::{Facts, Floor, Scene, SceneError, Start};
+use super::{Facts, Floor, Law, Method, PowerLaw, Scene, SceneError, Solver, Start, rebound};
 
 /// Largest width of the diameters, over the mean diameter: beads keep 1/20 of it.
 const WIDEST: f64 = 1.9;
@@ -10,13 +10,16 @@ const WIDEST: f64 = 1.9;
 /// energy, leaves the range of numbers before a column has spent it.
 const SLOWEST: f64 = 1e-60;
 
+/// Shortest and longest contact, s, of a pair under a power law.
+const CONTACT_TIMES: (f64, f64) = (1e-12, 1e3);
+
 impl Scene {
     /// Checks the facts: every value in the range of the parameter table, and all
-    /// of them consistent.
+    /// of them consistent. Under a power law the restitution follows from the others.
     ///
     /// # Errors
     /// The first thing found wrong, in one sentence.
-    pub fn new(facts: Facts) -> Result<Self, SceneError> {
+    pub fn new(mut facts: Facts) -> Result<Self, SceneError> {
         for parameter in parameters::table() {
             // α only repeats what amplitude, frequency and gravity say.
             if parameter.name != "alpha"
@@ -29,6 +32,16 @@ impl Scene {
         check_duration(&facts)?;
         check_width(&facts)?;
         check_restitution(&facts)?;
+        check_solver(&facts)?;
+        if let Method::Md {
+            law: Law::Power(power),
+            attraction,
+            ..
+        } = facts.method
+        {
+            check_power(&facts, &power)?;
+            facts.restitution = rebound(&power, attraction, facts.own_speed());
+        }
         check_start(&facts)?;
         Ok(Self(facts))
     }
@@ -51,7 +64,7 @@ fn check_width(facts: &Facts) -> Result<(), SceneError> {
 }
 
 fn check_restitution(facts: &Facts) -> Result<(), SceneError> {
-    if facts.restitution > 0.0 || !facts.is_md() {
+    if facts.restitution > 0.0 || !matches!(facts.law(), Some(Law::Hooke { .. })) {
         return Ok(());
     }
     let reason = "must be above 0 and at most 1 for soft contacts, whose damping is \
@@ -59,6 +72,48 @@ fn check_restitution(facts: &Facts) -> Result<(), SceneError> {
     Err(inconsistent(
         "restitution",
         Value::Number(facts.restitution),
+        reason,
+    ))
+}
+
+fn check_solver(facts: &Facts) -> Result<(), SceneError> {
+    let Method::Md { law, solver, .. } = facts.method else {
+        return Ok(());
+    };
+    let fits = match solver {
+        Solver::Exact => matches!(law, Law::Hooke { .. }),
+        Solver::Adaptive { .. } => matches!(law, Law::Power(_)),
+        Solver::Grid { .. } => true,
+    };
+    if fits {
+        return Ok(());
+    }
+    let reason = "does not go with the solver: the exact one is the linear law's, the adaptive \
+                  one the power laws'";
+    Err(inconsistent(
+        "law",
+        Value::Choice(law.name().as_str()),
+        reason,
+    ))
+}
+
+/// Refuses power laws whose contacts are beyond all numbers or absurdly short or long.
+fn check_power(facts: &Facts, power: &PowerLaw) -> Result<(), SceneError> {
+    let speed = facts.own_speed();
+    let contact_time = power.contact_time(speed);
+    let depth = power.penetration(speed);
+    let (shortest, longest) = CONTACT_TIMES;
+    if (shortest..=longest).contains(&contact_time) && depth.is_normal() {
+        return Ok(());
+    }
+    let reason = format!(
+        "makes a contact of two beads that meet at {} m/s last {contact_time:.1e} s; it must \
+         last from {shortest:e} to {longest:e} s",
+        Value::Number(speed)
+    );
+    Err(inconsistent(
+        "stiffness",
+        Value::Number(power.stiffness),
         reason,
     ))
 }
@@ -134,7 +189,7 @@ pub(in crate::scene) fn example() -> Facts {
         gravity: None,
         floor: Floor::Fixed,
         method: super::Method::Md {
-            contact_time: 7e-6,
+            law: Law::Hooke { contact_time: 7e-6 },
             solver: super::Solver::Grid {
                 integrator: super::Integrator::Gear,
                 steps_per_contact: 100.0,

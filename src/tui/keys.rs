@@ -19,6 +19,8 @@ pub enum Action {
     Method,
     /// The twin on or off.
     Twin,
+    /// The error against an exact run in the shadow, shown or not.
+    Shadow,
     /// The list of presets.
     Presets,
     /// The help.
@@ -147,11 +149,14 @@ pub const BINDINGS: &[Binding] = &[
         .help("r", "start again from t = 0")
         .hint("r", "restart", 5),
     key(&[Char('m')], Action::Method)
-        .help("m", "next method: Gear, Verlet, ED")
+        .help("m", "next method: Gear, Verlet, exact, ED")
         .hint("m", "method", 6),
     key(&[Char('w')], Action::Twin)
         .help("w", "twin on, off")
         .hint("w", "twin", 9),
+    key(&[Char('x')], Action::Shadow)
+        .help("x", "error against an exact run in the shadow, on, off")
+        .hint("x", "error", 10),
     key(&[Char('p')], Action::Presets)
         .help("p", "presets")
         .hint("p", "presets", 3),

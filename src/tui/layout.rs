@@ -11,6 +11,7 @@
 //!  numbers     │ numbers      │ ε_eff        │ name   value        keys
 //!  ── shaken: on tall screens, what is to be seen ──────────────────────
 //!  caption, what to look for, what to try next
+//!  what to beware of, and errors that were asked for
 //!  message
 //!  keys
 //! ```
@@ -26,6 +27,10 @@ const NARROWEST: u16 = 10;
 /// Columns of the σ panel and of the parameters at 80 columns.
 const SIGMA: u16 = 21;
 const PARAMETERS: u16 = 32;
+/// Columns that three histories need.
+const THREE_STRIPS: u16 = 38;
+/// Rows from which on lines about the columns have rows of their own.
+const LOW: u16 = 12;
 
 /// Where one column of beads is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -40,6 +45,17 @@ pub struct Pane {
     pub time: Rect,
 }
 
+/// What takes room on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Contents {
+    /// Columns of beads.
+    pub sides: usize,
+    /// Lines about them.
+    pub notices: u16,
+    /// Whether there are histories of their errors.
+    pub errors: bool,
+}
+
 /// The panels below the traces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Panels {
@@ -47,6 +63,8 @@ pub struct Panels {
     pub energy: Rect,
     /// History of E_r/E.
     pub relative: Rect,
+    /// History of errors; empty on narrow screens, and when not asked for.
+    pub errors: Rect,
     /// σ, its regime, ε_eff.
     pub sigma: Rect,
     /// The parameters.
@@ -70,6 +88,8 @@ pub struct Layout {
     pub panels: Panels,
     /// The preset's texts.
     pub text: Rect,
+    /// The lines about the columns; empty on low screens.
+    pub notices: Rect,
     /// The line of the moment.
     pub message: Rect,
     /// The keys.
@@ -102,8 +122,8 @@ impl Rows {
     }
 }
 
-/// The layout of a screen of that size with so many columns of beads.
-pub fn layout((width, height): (u16, u16), sides: usize) -> Layout {
+/// The layout of a screen of that size with these contents.
+pub fn layout((width, height): (u16, u16), contents: Contents) -> Layout {
     let mut rows = Rows(Rect {
         x: 0,
         y: 0,
@@ -120,6 +140,9 @@ pub fn layout((width, height): (u16, u16), sides: usize) -> Layout {
     if height >= 8 {
         layout.message = rows.bottom(1);
     }
+    if height >= LOW {
+        layout.notices = rows.bottom(contents.notices);
+    }
     let text = text_height(width);
     if width >= 60 && height >= 29 + text {
         layout.text = rows.bottom(text);
@@ -127,7 +150,7 @@ pub fn layout((width, height): (u16, u16), sides: usize) -> Layout {
     if height >= 18 && width >= 60 {
         let panels = rows.bottom(panel_height(height));
         layout.lower_rule = rows.bottom(1);
-        layout.panels = panel_columns(panels);
+        layout.panels = panel_columns(panels, contents.errors);
     }
     if height >= 6 {
         layout.upper_rule = rows.top(1);
@@ -137,13 +160,17 @@ pub fn layout((width, height): (u16, u16), sides: usize) -> Layout {
     } else {
         Rect::default()
     };
-    place_panes(&mut layout, rows.0, time, sides);
+    place_panes(&mut layout, rows.0, time, contents.sides);
     layout
 }
 
 /// Width of a trace on such a screen, cells.
 pub fn trace_width(size: (u16, u16), sides: usize) -> u16 {
-    layout(size, sides)
+    let contents = Contents {
+        sides,
+        ..Contents::default()
+    };
+    layout(size, contents)
         .panes
         .first()
         .map_or(1, |pane| pane.trace.width.max(1))
@@ -162,7 +189,7 @@ fn text_height(width: u16) -> u16 {
     1 + 3 * 190u16.div_ceil(width.saturating_sub(2).max(1))
 }
 
-fn panel_columns(area: Rect) -> Panels {
+fn panel_columns(area: Rect, with_errors: bool) -> Panels {
     let spare = area.width.saturating_sub(80);
     let parameters = PARAMETERS + (spare / 6).min(12);
     let sigma = SIGMA + (spare / 5).min(20);
@@ -173,14 +200,20 @@ fn panel_columns(area: Rect) -> Panels {
         cut
     };
     let left = area.width.saturating_sub(parameters + sigma + 2);
-    let (energy, relative) = match left {
-        0..5 => (Rect::default(), Rect::default()),
-        5..22 => (Rect::default(), take(left)),
-        _ => (take((left - 1) / 2), take(left - 1 - (left - 1) / 2)),
+    let none = Rect::default();
+    let (energy, relative, errors) = match left {
+        0..5 => (none, none, none),
+        5..22 => (none, take(left), none),
+        THREE_STRIPS.. if with_errors => {
+            let third = (left - 2) / 3;
+            (take(third), take(third), take(left - 2 - 2 * third))
+        }
+        _ => (take((left - 1) / 2), take(left - 1 - (left - 1) / 2), none),
     };
     Panels {
         energy,
         relative,
+        errors,
         sigma: take(sigma),
         parameters: take(parameters),
     }
@@ -250,6 +283,13 @@ fn place_panes(layout: &mut Layout, area: Rect, time: Rect, sides: usize) {
 mod tests {
     use super::*;
 
+    fn columns(sides: usize) -> Contents {
+        Contents {
+            sides,
+            ..Contents::default()
+        }
+    }
+
     fn all(layout: &Layout) -> Vec<Rect> {
         let mut rects = vec![
             layout.header,
@@ -257,14 +297,15 @@ mod tests {
             layout.axis,
             layout.lower_rule,
         ];
-        rects.extend([layout.text, layout.message, layout.keys]);
+        rects.extend([layout.text, layout.notices, layout.message, layout.keys]);
         let Panels {
             energy,
             relative,
+            errors,
             sigma,
             parameters,
         } = layout.panels;
-        rects.extend([energy, relative, sigma, parameters]);
+        rects.extend([energy, relative, errors, sigma, parameters]);
         for pane in &layout.panes {
             rects.extend([pane.trace, pane.column, pane.time]);
         }
@@ -274,8 +315,13 @@ mod tests {
     #[test]
     fn nothing_overlaps_and_nothing_leaves_the_screen() {
         for (width, height) in (1..130).flat_map(|w| (1..60).map(move |h| (w, h))) {
-            for sides in [1, 2] {
-                let rects = all(&layout((width, height), sides));
+            for (sides, notices) in [(1, 0), (2, 0), (1, 1), (2, 3)] {
+                let contents = Contents {
+                    sides,
+                    notices,
+                    errors: notices > 0,
+                };
+                let rects = all(&layout((width, height), contents));
                 for (k, a) in rects.iter().enumerate().filter(|(_, a)| !a.is_empty()) {
                     assert!(
                         a.right() <= width && a.bottom() <= height,
@@ -291,7 +337,7 @@ mod tests {
 
     #[test]
     fn everything_needed_to_teach_fits_80_by_24() {
-        let layout = layout((80, 24), 2);
+        let layout = layout((80, 24), columns(2));
         assert_eq!(layout.panes.len(), 2);
         assert!(
             layout
@@ -303,9 +349,11 @@ mod tests {
         let Panels {
             energy,
             relative,
+            errors,
             sigma,
             parameters,
         } = layout.panels;
+        assert!(errors.is_empty());
         assert!(
             [energy, relative, sigma, parameters]
                 .iter()
@@ -315,6 +363,22 @@ mod tests {
 
     #[test]
     fn a_single_column_has_the_whole_width() {
-        assert!(layout((80, 24), 1).panes[0].trace.width >= 60);
+        assert!(layout((80, 24), columns(1)).panes[0].trace.width >= 60);
+    }
+
+    #[test]
+    fn what_is_not_asked_for_takes_no_room() {
+        let plain = layout((120, 40), columns(2));
+        assert!(plain.notices.is_empty() && plain.panels.errors.is_empty());
+        let asked = layout(
+            (120, 40),
+            Contents {
+                notices: 1,
+                errors: true,
+                ..columns(2)
+            },
+        );
+        assert_eq!(asked.notices.height, 1);
+        assert!(asked.panels.errors.width >= 15);
     }
 }

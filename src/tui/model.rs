@@ -6,7 +6,7 @@ mod pace;
 mod page;
 mod scale;
 
-pub use bench::{Bench, Change};
+pub use bench::{Bench, Change, Check};
 pub(super) use overlay::moved;
 pub use overlay::{Menu, Overlay, Prompt};
 pub use pace::{Speed, speed_text};
@@ -15,9 +15,9 @@ pub use scale::Scale;
 
 use std::time::{Duration, Instant};
 
-use super::layout;
+use super::layout::{self, Contents};
 use super::theme::Theme;
-use crate::live::{Frame, History, Order, Side, Status, Sweep};
+use crate::live::{Accuracy, Frame, History, Order, Side, Status, Sweep};
 use crate::scene::{Preset, Scene};
 
 /// Numbers are written this often: five times a second is read better than thirty.
@@ -51,6 +51,23 @@ pub struct Glimpse {
     taken: Option<Instant>,
 }
 
+/// A line about one of the columns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Notice {
+    /// Its steps are too long for closed contacts.
+    TooFewSteps {
+        /// Which column.
+        side: usize,
+        /// The least steps in a contact time.
+        least: f64,
+    },
+    /// Its error against the run in its shadow.
+    Error {
+        /// Which column.
+        side: usize,
+    },
+}
+
 /// The row of the parameter panel selected at first: the restitution, which every scene
 /// has and which changes without a restart.
 const FIRST_ROW: usize = 1;
@@ -70,6 +87,8 @@ pub struct Model {
     pub orders: u64,
     /// Whether it stands still by itself, the page being full.
     pub held: bool,
+    /// Whether exact runs were asked for in the shadow of soft columns.
+    pub shadow: bool,
     /// The traces.
     pub page: Page,
     /// What the numbers are written from.
@@ -114,6 +133,7 @@ impl Model {
             paused: false,
             orders: 0,
             held: false,
+            shadow: false,
             numbers: Glimpse::default(),
             column: Glimpse::default(),
             selected: FIRST_ROW,
@@ -131,6 +151,8 @@ impl Model {
     /// The order that starts the scenes on the bench from t = 0.
     pub(super) fn start(&mut self, running: bool) -> Order {
         self.generation += 1;
+        // What was given up is for the person at the keyboard to ask for again.
+        self.shadow &= !self.is_shadow_given_up();
         self.held = false;
         self.paused = !running;
         let sweep = sweep(self.bench.scenes(), self.size, 0.0);
@@ -142,6 +164,7 @@ impl Model {
             sweep,
             speed: self.speed.factor(),
             running,
+            shadow: self.shadow,
         }
     }
 
@@ -220,6 +243,36 @@ impl Model {
             .is_some_and(|message| now.duration_since(message.since) > MESSAGE)
         {
             self.message = None;
+        }
+    }
+
+    /// Whether a shadow that was asked for has been given up.
+    pub(super) fn is_shadow_given_up(&self) -> bool {
+        let mut sides = self.numbers.sides.iter();
+        sides.any(|side| matches!(side.accuracy, Some(Accuracy::GivenUp(_))))
+    }
+
+    /// The lines that the screen has for the present scenes, beside the messages of the
+    /// moment: what to beware of, and errors that were asked for.
+    pub fn notices(&self) -> Vec<Notice> {
+        let checks = || self.bench.checks().iter().enumerate();
+        let coarse = checks().filter_map(|(side, check)| {
+            let least = check.least_steps?;
+            Some(Notice::TooFewSteps { side, least })
+        });
+        let errors = checks()
+            .filter(|(_, check)| self.shadow && check.reference.is_ok())
+            .map(|(side, _)| Notice::Error { side });
+        coarse.chain(errors).collect()
+    }
+
+    /// What takes room on the screen.
+    pub(super) fn contents(&self) -> Contents {
+        let notices = self.notices();
+        Contents {
+            sides: self.bench.scenes().len(),
+            notices: u16::try_from(notices.len()).unwrap_or(u16::MAX),
+            errors: notices.iter().any(|n| matches!(n, Notice::Error { .. })),
         }
     }
 

@@ -232,6 +232,7 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             let change = model.bench.toggle_twin();
             changed_or_said(model, change, now)
         }
+        Action::Shadow => toggle_shadow(model, now),
         Action::Presets => {
             model.overlay = Overlay::Presets(Menu::open(&model.preset.name));
             None
@@ -283,6 +284,23 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
         Action::Suspend => Some(Command::Suspend),
         Action::Quit => Some(Command::Quit),
     }
+}
+
+/// Exact runs in the shadow of soft columns, on or off; on again where one was given up.
+fn toggle_shadow(model: &mut Model, now: Instant) -> Option<Command> {
+    let checks = model.bench.checks();
+    let refused = checks
+        .iter()
+        .find_map(|check| check.reference.as_ref().err());
+    let refused = refused.cloned();
+    let off = model.shadow && !model.is_shadow_given_up();
+    let none = checks.iter().all(|check| check.reference.is_err());
+    model.shadow = !off && !none;
+    if let Some(why) = refused.filter(|_| !off || none) {
+        let whose = if none { "no error" } else { "MD only" };
+        model.say(format!("{whose}: {why}"), none, now);
+    }
+    Some(Command::Order(Order::Shadow(model.shadow)))
 }
 
 fn nudge(

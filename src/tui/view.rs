@@ -11,14 +11,15 @@ use super::widgets::beads::Beads;
 use super::widgets::strip::Quantity;
 use super::widgets::text::{columns, fitted, line};
 use super::widgets::trace::Trace;
-use super::widgets::{footer, header, help, menu, parameters, rules, sigma, strip};
+use super::widgets::{
+    accuracy, footer, header, help, menu, parameters, rules, sigma, strip, title,
+};
 use crate::live::Status;
-use crate::scene::{CollisionRule, Integrator, Method, Solver};
 
 /// Draws the model.
 pub fn view(model: &Model, frame: &mut Frame) {
     let area = frame.area();
-    let layout = layout((area.width, area.height), model.bench.scenes().len());
+    let layout = layout((area.width, area.height), model.contents());
     let buffer = frame.buffer_mut();
     let above_keys = Rect {
         height: area.height.saturating_sub(layout.keys.height),
@@ -32,7 +33,8 @@ pub fn view(model: &Model, frame: &mut Frame) {
             draw_rules(model, &layout, buffer);
             draw_panes(model, &layout, buffer);
             draw_panels(model, &layout, buffer);
-            footer::render_message(model, layout.text.is_empty(), layout.message, buffer);
+            accuracy::render_notices(model, layout.notices, buffer);
+            footer::render_message(model, &layout, buffer);
         }
     }
     footer::render_keys(model, layout.keys, buffer);
@@ -51,6 +53,7 @@ fn draw_rules(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     }
     let panels = [
         layout.panels.relative,
+        layout.panels.errors,
         layout.panels.sigma,
         layout.panels.parameters,
     ];
@@ -72,7 +75,7 @@ fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
         let Some(scene) = model.bench.scenes().get(index) else {
             continue;
         };
-        draw_title(model, index, pane.title, buffer);
+        title::render(model, index, pane.title, buffer);
         draw_time(model, pane, buffer);
         let seen = model.column.sides.get(index);
         let failure = seen.and_then(|side| match &side.status {
@@ -140,55 +143,6 @@ fn round(x: f64) -> f64 {
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
-fn draw_title(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
-    if area.is_empty() {
-        return;
-    }
-    let (Some(scene), theme) = (model.bench.scenes().get(index), model.theme) else {
-        return;
-    };
-    let method = match scene.method {
-        Method::Md {
-            solver: Solver::Exact,
-            ..
-        } => "exact".to_owned(),
-        Method::Md {
-            solver:
-                Solver::Grid {
-                    integrator,
-                    steps_per_contact,
-                },
-            ..
-        } => {
-            let name = match integrator {
-                Integrator::Gear => "Gear",
-                Integrator::Verlet => "Verlet",
-            };
-            format!("{name}, t_c/{}", round(steps_per_contact))
-        }
-        Method::Ed {
-            rule: CollisionRule::Lrv,
-        } => "hard spheres".to_owned(),
-        Method::Ed {
-            rule: CollisionRule::Tc { .. },
-        } => "hard spheres, rule tc".to_owned(),
-    };
-    let inner = Rect {
-        width: area.width.saturating_sub(2),
-        ..area
-    };
-    let mut title = line(theme, buffer, inner, 0);
-    title
-        .skip(2)
-        .put(" ", theme.quiet())
-        .put(model.label(index), theme.side(index).patch(theme.strong()))
-        .put(&format!("  {method} "), theme.quiet());
-    if let Some(side) = model.numbers.sides.get(index) {
-        let drift = numbers::scientific(side.seen.energy.drift);
-        title.right(&format!(" drift {drift} "), theme.quiet());
-    }
-}
-
 /// When the page begins and ends.
 fn draw_time(model: &Model, pane: &Pane, buffer: &mut Buffer) {
     if pane.time.is_empty() {
@@ -214,6 +168,7 @@ fn draw_panels(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     let panels = &layout.panels;
     strip::render(model, Quantity::Kinetic, panels.energy, buffer);
     strip::render(model, Quantity::Relative, panels.relative, buffer);
+    accuracy::render_history(model, panels.errors, buffer);
     for (panel, title) in [(panels.sigma, "σ"), (panels.parameters, "parameters")] {
         if !panel.is_empty() {
             let above = Rect {

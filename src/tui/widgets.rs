@@ -1,5 +1,6 @@
 //! What the screen is made of, one widget a file.
 
+pub mod accuracy;
 pub mod beads;
 pub mod details;
 pub mod footer;
@@ -12,4 +13,5 @@ pub mod rules;
 pub mod sigma;
 pub mod strip;
 pub mod text;
+pub mod title;
 pub mod trace;

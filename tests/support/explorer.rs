@@ -6,7 +6,7 @@ use std::io;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use beadlab::live::{self, Build};
+use beadlab::live::{self, Build, Frame, Live, Order, Sweep};
 use beadlab::physics::{self, Engine, EngineError, Handover, Observation, Outcome, State};
 use beadlab::scene::{Preset, Scene};
 use beadlab::tui::event_loop::{Ending, EventLoop, Stage, Wires};
@@ -26,6 +26,9 @@ pub const ASCII: Theme = Theme {
     ascii: true,
     colour: false,
 };
+
+/// Nothing here takes so long.
+const LONG: Duration = Duration::from_secs(20);
 
 /// A terminal that needs no manners.
 pub struct NoStage;
@@ -192,4 +195,48 @@ pub fn faulty(fault: Fault, at: f64) -> Build {
             }
         },
     )
+}
+
+/// A preset and its hard twin.
+pub fn twins(name: &str) -> Vec<Scene> {
+    let soft = preset(name).scene;
+    let hard = soft
+        .with_method(beadlab::scene::MethodName::Ed)
+        .expect("every scene can be hard");
+    vec![soft, hard]
+}
+
+pub fn sweep(span: f64, hold: bool) -> Sweep {
+    Sweep {
+        origin: 0.0,
+        span,
+        columns: 60,
+        hold,
+    }
+}
+
+pub fn load(live: &Live, scenes: Vec<Scene>, sweep: Sweep, speed: f64, running: bool) {
+    let order = Order::Load {
+        generation: 1,
+        scenes,
+        sweep,
+        speed,
+        running,
+        shadow: false,
+    };
+    live.orders
+        .send(order)
+        .expect("the simulation thread listens");
+}
+
+/// The first frame that is as wanted.
+pub fn until(live: &Live, wanted: impl Fn(&Frame) -> bool) -> Frame {
+    let start = Instant::now();
+    while start.elapsed() < LONG {
+        let frame = live.frames.recv_timeout(LONG).expect("frames come");
+        if wanted(&frame) {
+            return frame;
+        }
+    }
+    panic!("no such frame in {LONG:?}");
 }

@@ -3,7 +3,8 @@
 
 use beadlab::physics::{Engine, Observation, Outcome, build};
 use beadlab::scene::{
-    CollisionRule, Facts, Floor, FloorContact, Integrator, Method, Scene, Solver, Start, angular,
+    CollisionRule, Facts, Floor, FloorContact, Integrator, Law, Method, Scene, Solver, Start,
+    angular,
 };
 
 /// g of all presets, m/s².
@@ -50,7 +51,9 @@ pub fn shaken(method: Method, alpha: f64) -> Facts {
 /// Soft contacts with the paper's t_c.
 pub fn md(integrator: Integrator, steps_per_contact: f64) -> Method {
     Method::Md {
-        contact_time: 0.7e-5,
+        law: Law::Hooke {
+            contact_time: 0.7e-5,
+        },
         solver: Solver::Grid {
             integrator,
             steps_per_contact,
@@ -104,7 +107,7 @@ pub const INTEGRATORS: [Integrator; 2] = [Integrator::Gear, Integrator::Verlet];
 /// Soft contacts.
 pub fn soft(integrator: Integrator, contact_time: f64, steps_per_contact: f64) -> Method {
     Method::Md {
-        contact_time,
+        law: Law::Hooke { contact_time },
         solver: Solver::Grid {
             integrator,
             steps_per_contact,

@@ -21,6 +21,8 @@ pub(super) struct Row {
     cell: Option<Cell>,
     unit: &'static str,
     meaning: &'static str,
+    /// Relative change that means nothing, if it is known: no digit beyond is printed.
+    known: Option<f64>,
     /// Measures the machine, not the scene: another run gives another value.
     machine: bool,
 }
@@ -37,7 +39,26 @@ impl Row {
             cell,
             unit,
             meaning,
+            known: None,
             machine: false,
+        }
+    }
+
+    /// The row of a number that is known to this part of itself.
+    pub fn known_to(mut self, part: Option<f64>) -> Self {
+        self.known = part;
+        if let (Some(Cell::Number(x)), Some(part)) = (&mut self.cell, part) {
+            *x = rounded(*x, digits(part));
+        }
+        self
+    }
+
+    /// The same for people only: files keep all digits of what is a sure mean of a
+    /// motion that may not be typical.
+    pub fn shown_to(self, part: Option<f64>) -> Self {
+        Self {
+            known: self.known.or(part),
+            ..self
         }
     }
 
@@ -108,11 +129,12 @@ impl Report {
             cell,
             unit,
             meaning,
+            known,
             ..
         } in self.of_the_scene()
         {
             let Some(cell) = cell else { continue };
-            let value = format!("{} {unit}", readable(cell));
+            let value = format!("{} {unit}", readable(cell, *known));
             let line = format!("{name:<18} {:<20} {meaning}", value.trim_end());
             text += line.trim_end();
             text.push('\n');
@@ -135,14 +157,30 @@ impl Report {
     }
 }
 
+/// Digits of a number that is known to this part of itself, and one to spare.
+fn digits(part: f64) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 1 and 17"
+    )]
+    let digits = (1.0 - part.log10().floor()).clamp(1.0, 17.0) as usize;
+    digits
+}
+
+/// `x` to so many significant digits.
+fn rounded(x: f64, digits: usize) -> f64 {
+    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
+}
+
 /// Ten digits are more than a person reads.
-fn readable(cell: &Cell) -> String {
+fn readable(cell: &Cell, known: Option<f64>) -> String {
     match cell {
         Cell::Word(word) => word.clone(),
         Cell::Count(count) => count.to_string(),
         Cell::Number(x) => {
-            let rounded = format!("{x:.9e}").parse().unwrap_or(*x);
-            Value::Number(rounded).to_string()
+            let most = known.map_or(10, digits).min(10);
+            Value::Number(rounded(*x, most)).to_string()
         }
     }
 }

@@ -1,11 +1,11 @@
 //! The motion of a run as CSV: a row at every multiple of an interval.
 
-use super::drive::{Drive, natural_time};
-use super::output::Output;
 use crate::commands::Failure;
+use crate::commands::output::Output;
 use crate::physics::Observation;
 use crate::scene::Scene;
 use crate::scene::parameters::Value;
+use crate::study::{Drive, RunError, natural_time};
 use std::io;
 use std::time::{Duration, Instant};
 
@@ -38,6 +38,12 @@ enum Stop {
 impl From<Failure> for Stop {
     fn from(failure: Failure) -> Self {
         Self::Run(failure)
+    }
+}
+
+impl From<RunError> for Stop {
+    fn from(error: RunError) -> Self {
+        Self::Run(error.into())
     }
 }
 

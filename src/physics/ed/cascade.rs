@@ -1,10 +1,10 @@
 //! What happens at one instant: a collision, all that touches it, and what rests then.
 
-use super::ground::Ground;
 use super::{Ed, Gap, Rule};
 use crate::physics::EngineError;
 use crate::physics::bounce::Arrival;
 use crate::physics::column::{totally_inelastic, velocities};
+use crate::physics::flight::Ground;
 
 /// k(1 − ε) of k touching beads above which nothing comes back from the far end: what
 /// a wave carries there and back falls as e^{−k(1−ε)}, its energy as the square, 10⁻¹².

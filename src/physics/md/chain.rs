@@ -1,7 +1,7 @@
 //! Forces in the contacts of a chain, and the accelerations of its gaps.
 
 use super::lanes::{LANES, Lane, Number, grouped, neighbours};
-use crate::physics::column::Spring;
+use crate::physics::power_law::Spring;
 
 /// The law of one contact, chosen at compile time.
 pub(crate) trait Law: Copy + Send {

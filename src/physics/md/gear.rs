@@ -5,14 +5,12 @@
 
 use super::chain::{Chain, Forces};
 use super::ground::Ground;
-use super::lanes::{
-    BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours,
-};
+use super::lanes::{BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours};
 use super::stepper::{Power, Stepper};
 
 /// Corrector coefficients for a second-order equation whose force depends on
 /// velocity (3/16 in place of 3/20).
-const CORRECTOR: [f64; 6] = [
+pub(crate) const CORRECTOR: [f64; 6] = [
     3.0 / 16.0,
     251.0 / 360.0,
     1.0,

@@ -26,6 +26,8 @@ pub(crate) trait Number:
     fn where_closed(self, g: Self) -> Self;
     /// Itself where it is above 0, elsewhere 0.
     fn positive(self) -> Self;
+    /// What `law` gives for gap and rate, in each lane.
+    fn singly(g: Self, w: Self, law: impl Fn(f64, f64) -> (f64, f64)) -> (Self, Self);
 }
 
 impl Number for f64 {
@@ -38,6 +40,11 @@ impl Number for f64 {
     fn positive(self) -> Self {
         if self > 0.0 { self } else { 0.0 }
     }
+
+    #[inline]
+    fn singly(g: Self, w: Self, law: impl Fn(f64, f64) -> (f64, f64)) -> (Self, Self) {
+        law(g, w)
+    }
 }
 
 impl Number for Lane {
@@ -49,6 +56,16 @@ impl Number for Lane {
     #[inline]
     fn positive(self) -> Self {
         self & self.simd_gt(Self::ZERO)
+    }
+
+    #[inline]
+    fn singly(g: Self, w: Self, law: impl Fn(f64, f64) -> (f64, f64)) -> (Self, Self) {
+        let (g, w) = (g.to_array(), w.to_array());
+        let both: [_; LANES] = std::array::from_fn(|l| law(g[l], w[l]));
+        (
+            Self::new(both.map(|(force, _)| force)),
+            Self::new(both.map(|(_, power)| power)),
+        )
     }
 }
 

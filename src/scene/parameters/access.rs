@@ -2,7 +2,9 @@
 
 use super::Value;
 use super::rows::TC;
-use crate::scene::{CollisionRule, Facts, Floor, Method, Solver, Start, angular};
+use crate::scene::{
+    CollisionRule, Exponents, Facts, Floor, Law, Method, PowerLaw, Solver, Start, angular,
+};
 
 // The table hands over values of the row's own kind only.
 
@@ -70,13 +72,79 @@ pub(super) fn plate(facts: &Facts) -> Option<(f64, f64)> {
     }
 }
 
+/// Contact time of a scene that is given one: under a power law it follows.
+pub(super) fn contact_time(facts: &Facts) -> Option<f64> {
+    power(facts)
+        .is_none()
+        .then(|| facts.contact_time())
+        .flatten()
+}
+
 pub(super) fn set_contact_time(facts: &mut Facts, to: f64) {
-    if let Method::Md { contact_time, .. }
+    if let Method::Md {
+        law: Law::Hooke { contact_time },
+        ..
+    }
     | Method::Ed {
         rule: CollisionRule::Tc { contact_time },
     } = &mut facts.method
     {
         *contact_time = to;
+    }
+}
+
+/// The power law in force.
+pub(super) fn power(facts: &Facts) -> Option<PowerLaw> {
+    match facts.method {
+        Method::Md {
+            law: Law::Power(power),
+            ..
+        } => Some(power),
+        _ => None,
+    }
+}
+
+/// Changes the power law in force.
+pub(super) fn set_power(facts: &mut Facts, change: impl FnOnce(&mut PowerLaw)) {
+    if let Method::Md {
+        law: Law::Power(power),
+        ..
+    } = &mut facts.method
+    {
+        change(power);
+    }
+}
+
+/// β and γ where they are free.
+pub(super) fn exponents(facts: &Facts) -> Option<(f64, f64)> {
+    match power(facts)?.exponents {
+        Exponents::Free { beta, gamma } => Some((beta, gamma)),
+        _ => None,
+    }
+}
+
+/// Other exponents; stiffness and damping follow, so that collisions stay alike.
+pub(super) fn set_exponents(facts: &mut Facts, beta: Option<f64>, gamma: Option<f64>) {
+    let speed = facts.own_speed();
+    if let Some(now) = exponents(facts) {
+        set_power(facts, |power| {
+            let exponents = Exponents::Free {
+                beta: beta.unwrap_or(now.0),
+                gamma: gamma.unwrap_or(now.1),
+            };
+            *power = power.like(exponents, speed);
+        });
+    }
+}
+
+/// Tolerance of the adaptive method.
+pub(super) fn tolerance(facts: &Facts) -> Option<f64> {
+    match facts.method {
+        Method::Md {
+            solver: Solver::Adaptive { tolerance },
+            ..
+        } => Some(tolerance),
+        _ => None,
     }
 }
 

@@ -28,8 +28,9 @@ impl Setting {
 }
 
 /// Puts a layer of settings into facts, whatever the order they are written in:
-/// the rule decides whether there is a contact time, and α is turned into an
-/// amplitude by the frequency and gravity in force after all others.
+/// the rule decides whether there is a contact time, α is turned into an amplitude by
+/// the frequency and gravity in force after all that moves the column, and a change of
+/// law keeps collisions alike at the speed that follows; what the law has comes last.
 ///
 /// The facts still have to be checked by [`Scene::new`].
 ///
@@ -42,6 +43,9 @@ pub fn apply(facts: &mut Facts, layer: &[Setting]) -> Result<(), SceneError> {
     ordered.sort_by_key(|setting| match setting.parameter.name {
         "rule" => 0,
         "alpha" => 2,
+        "law" => 3,
+        "beta" | "gamma" => 4,
+        "restitution" | "contact_time" | "stiffness" | "damping" | "tolerance" => 5,
         _ => 1,
     });
     for &&Setting { parameter, value } in &ordered {

@@ -1,24 +1,24 @@
 //! The rows of the table.
 
+mod contact;
+
 use super::access::{
-    attraction, choice, flag, number, plate, separated, set_alpha, set_amplitude, set_contact_time,
-    set_frequency, set_rule, steps, whole,
+    choice, flag, number, plate, separated, set_alpha, set_amplitude, set_frequency, set_rule,
+    steps, tolerance, whole,
 };
 use super::{Kind, Parameter, Scale, Value};
-use crate::scene::{CollisionRule, FloorContact, Method, Solver, Start};
+use crate::scene::{CollisionRule, Method, Solver, Start};
 
 /// The largest seed that a JSON number holds exactly.
 const LARGEST_SEED: u64 = 1 << 53;
 
-const SAME_SPRING: &str = "same-spring";
-const SAME_RESTITUTION: &str = "same-restitution";
 pub(super) const LRV: &str = "lrv";
 pub(super) const TC: &str = "tc";
 
 const SEPARATED: &str = "scenes with start separated";
 const SOFT: &str = "scenes with soft contacts (method gear, verlet or exact)";
 const GRID: &str = "scenes on a grid of time steps (method gear or verlet)";
-const TIMED: &str = "scenes with soft contacts (method gear, verlet or exact) or the rule tc";
+const ADAPTIVE: &str = "scenes with a power law and method exact";
 const HARD: &str = "scenes with hard spheres (method ed)";
 const HEAVY: &str = "scenes with gravity";
 const VIBRATING: &str = "scenes with a vibrating floor";
@@ -81,40 +81,13 @@ pub(super) static ROWS: &[Parameter] = &[
         },
         ..ROW
     },
-    Parameter {
-        name: "restitution",
-        symbol: "ε",
-        symbol_ascii: "e",
-        help: "restitution of two beads: speed after over before",
-        kind: Kind::Number {
-            min: 0.0,
-            max: 1.0,
-            scale: Scale::Linear {
-                fine: 0.01,
-                coarse: 0.1,
-            },
-        },
-        note: " (soft contacts: above 0)",
-        get: |facts| Some(Value::Number(facts.restitution)),
-        set: |facts, value| number(value, |x| facts.restitution = x),
-        ..ROW
-    },
-    Parameter {
-        name: "contact_time",
-        symbol: "t_c",
-        symbol_ascii: "t_c",
-        unit: "s",
-        help: "time that a collision of two beads takes",
-        kind: Kind::Number {
-            min: 1e-12,
-            max: 1e3,
-            scale: DECADES,
-        },
-        belongs_to: TIMED,
-        get: |facts| facts.contact_time().map(Value::Number),
-        set: |facts, value| number(value, |x| set_contact_time(facts, x)),
-        ..ROW
-    },
+    contact::RESTITUTION,
+    contact::CONTACT_TIME,
+    contact::LAW,
+    contact::BETA,
+    contact::GAMMA,
+    contact::STIFFNESS,
+    contact::DAMPING,
     Parameter {
         name: "amplitude",
         symbol: "A_0",
@@ -304,46 +277,8 @@ pub(super) static ROWS: &[Parameter] = &[
         set: |facts, value| whole(value, |k| facts.seed = k),
         ..ROW
     },
-    Parameter {
-        name: "floor_contact",
-        symbol: "floor",
-        symbol_ascii: "floor",
-        help: "what floor and beads share: the spring, or restitution",
-        kind: Kind::Choice(&[SAME_SPRING, SAME_RESTITUTION]),
-        get: |facts| {
-            Some(Value::Choice(match facts.floor_contact {
-                FloorContact::SameSpring => SAME_SPRING,
-                FloorContact::SameRestitution => SAME_RESTITUTION,
-            }))
-        },
-        set: |facts, value| {
-            choice(value, |word| {
-                facts.floor_contact = if word == SAME_SPRING {
-                    FloorContact::SameSpring
-                } else {
-                    FloorContact::SameRestitution
-                }
-            });
-        },
-        ..ROW
-    },
-    Parameter {
-        name: "attraction",
-        symbol: "attraction",
-        symbol_ascii: "attraction",
-        help: "let the attractive end of a contact act, as in the paper",
-        kind: Kind::Flag,
-        belongs_to: SOFT,
-        get: |facts| attraction(facts).map(Value::Flag),
-        set: |facts, value| {
-            flag(value, |on| {
-                if let Method::Md { attraction, .. } = &mut facts.method {
-                    *attraction = on;
-                }
-            });
-        },
-        ..ROW
-    },
+    contact::FLOOR_CONTACT,
+    contact::ATTRACTION,
     Parameter {
         name: "steps_per_contact",
         symbol: "t_c/Δt",
@@ -371,6 +306,35 @@ pub(super) static ROWS: &[Parameter] = &[
                 } = &mut facts.method
                 {
                     *steps_per_contact = x;
+                }
+            });
+        },
+        ..ROW
+    },
+    Parameter {
+        name: "tolerance",
+        symbol: "tol",
+        symbol_ascii: "tol",
+        help: "local error of a step, relative to each contact's motion",
+        kind: Kind::Number {
+            min: 1e-14,
+            max: 1e-3,
+            scale: Scale::Log {
+                fine: 2.0,
+                coarse: 10.0,
+                smallest: 1e-14,
+            },
+        },
+        belongs_to: ADAPTIVE,
+        get: |facts| tolerance(facts).map(Value::Number),
+        set: |facts, value| {
+            number(value, |x| {
+                if let Method::Md {
+                    solver: Solver::Adaptive { tolerance },
+                    ..
+                } = &mut facts.method
+                {
+                    *tolerance = x;
                 }
             });
         },

@@ -7,7 +7,7 @@ use crate::scene::parameters::{self, Kind, Parameter, Setting, Value};
 use crate::scene::validate::check_frame;
 use crate::scene::words::{did_you_mean, one_line, quote};
 use crate::scene::{
-    Facts, Floor, FloorContact, Method, MethodName, Scene, SceneError, Solver, Start,
+    Facts, Floor, FloorContact, Law, Method, MethodName, Scene, SceneError, Solver, Start,
 };
 use toml::de::DeValue;
 
@@ -183,7 +183,9 @@ fn frame(entries: &Entries) -> Result<Facts, PresetError> {
             _ => Floor::Fixed,
         },
         method: Method::Md {
-            contact_time: f64::NAN,
+            law: Law::Hooke {
+                contact_time: f64::NAN,
+            },
             solver: Solver::Exact,
             attraction: true,
         },

@@ -1,7 +1,9 @@
 //! The scenes on the bench: the column and its twin, and the edits of them.
 
+use crate::live::reference;
+use crate::physics::spectrum::too_few_steps;
 use crate::scene::parameters::{self, Parameter, Setting, Value, table};
-use crate::scene::{Facts, Method, MethodName, Preset, Scene, SceneError};
+use crate::scene::{Facts, Law, Method, MethodName, Preset, Scene, SceneError, Solver};
 
 /// Edits that can be undone.
 const UNDO: usize = 200;
@@ -19,6 +21,19 @@ pub struct Bench {
     soft: Option<Method>,
     /// The hard-sphere method last in force.
     hard: Option<Method>,
+    /// Steps in a contact time, and the tolerance, last in force.
+    steps: Option<f64>,
+    tolerance: Option<f64>,
+    checks: Vec<Check>,
+}
+
+/// What a scene's numbers are worth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    /// The least steps in a contact time, where the scene has fewer.
+    pub least_steps: Option<f64>,
+    /// The scene to hold its results against, or why there is none.
+    pub reference: Result<Scene, String>,
 }
 
 /// What an edit means for the running columns.
@@ -55,14 +70,22 @@ impl Bench {
             first_own: own,
             soft: None,
             hard: None,
+            steps: None,
+            tolerance: None,
+            checks: Vec::new(),
         };
-        bench.remember_methods();
+        bench.settle();
         Ok(bench)
     }
 
     /// The scenes, left to right.
     pub fn scenes(&self) -> &[Scene] {
         &self.scenes
+    }
+
+    /// What the numbers of each scene are worth.
+    pub fn checks(&self) -> &[Check] {
+        &self.checks
     }
 
     /// The contact time that σ is taken with, s: that of the soft contacts, or of
@@ -103,7 +126,7 @@ impl Bench {
         if !self.scenes.iter().any(has) {
             parameters::edit(&self.scenes[0], parameter, value)?;
         }
-        let edited = self
+        let mut edited = self
             .scenes
             .iter()
             .map(|scene| {
@@ -114,7 +137,27 @@ impl Bench {
                 }
             })
             .collect::<Result<Vec<Scene>, SceneError>>()?;
+        self.follow(&mut edited)?;
         Ok(self.put(edited))
+    }
+
+    /// Under a power law restitution follows from the law: when an edit changes it, the
+    /// hard twin has the new one.
+    fn follow(&self, edited: &mut [Scene]) -> Result<(), SceneError> {
+        let [soft, hard] = edited else {
+            return Ok(());
+        };
+        let before = &self.scenes[0];
+        let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
+        if hard.is_md() || soft.restitution == before.restitution || !(ruled(soft) || ruled(before))
+        {
+            return Ok(());
+        }
+        *hard = Scene::new(Facts {
+            restitution: soft.restitution,
+            ..hard.facts().clone()
+        })?;
+        Ok(())
     }
 
     fn edited(
@@ -144,7 +187,7 @@ impl Bench {
         let before = self.undo.pop()?;
         let change = self.change_to(&before);
         self.scenes = before;
-        self.remember_methods();
+        self.settle();
         Some(change)
     }
 
@@ -174,9 +217,27 @@ impl Bench {
                 .unwrap_or_else(|| scene.with_method(MethodName::Gear))
                 .and_then(|soft| soft.with_method(MethodName::Gear)),
         };
+        let next = next.and_then(|scene| self.as_before(&scene));
         let mut scenes = self.scenes.clone();
         scenes[0] = next.map_err(|error| format!("no other method: {error}"))?;
         Ok(self.put(scenes))
+    }
+
+    /// The scene with the steps, or the tolerance, that were last in force.
+    fn as_before(&self, scene: &Scene) -> Result<Scene, SceneError> {
+        let mut facts = scene.facts().clone();
+        if let Method::Md { solver, .. } = &mut facts.method {
+            match solver {
+                Solver::Grid {
+                    steps_per_contact, ..
+                } => *steps_per_contact = self.steps.unwrap_or(*steps_per_contact),
+                Solver::Adaptive { tolerance } => {
+                    *tolerance = self.tolerance.unwrap_or(*tolerance);
+                }
+                Solver::Exact => {}
+            }
+        }
+        Scene::new(facts)
     }
 
     /// Puts the twin beside the column, from its present state, or takes it away.
@@ -188,6 +249,7 @@ impl Bench {
             let kept = self.own.min(1);
             self.scenes = vec![self.scenes[kept].clone()];
             self.undo.clear();
+            self.settle();
             return Ok(Change::GoOn(vec![kept]));
         }
         let own = self.scenes[0].clone();
@@ -204,7 +266,7 @@ impl Bench {
         } else {
             vec![own, twin]
         };
-        self.remember_methods();
+        self.settle();
         Ok(Change::GoOn(vec![0, 0]))
     }
 
@@ -224,11 +286,12 @@ impl Bench {
             self.undo.remove(0);
         }
         self.undo.push(std::mem::replace(&mut self.scenes, scenes));
-        self.remember_methods();
+        self.settle();
         change
     }
 
-    fn remember_methods(&mut self) {
+    /// Remembers the methods in force, and checks the scenes.
+    fn settle(&mut self) {
         for scene in &self.scenes {
             let memory = if scene.is_md() {
                 &mut self.soft
@@ -236,7 +299,26 @@ impl Bench {
                 &mut self.hard
             };
             *memory = Some(scene.method);
+            match scene.method {
+                Method::Md {
+                    solver:
+                        Solver::Grid {
+                            steps_per_contact, ..
+                        },
+                    ..
+                } => self.steps = Some(steps_per_contact),
+                Method::Md {
+                    solver: Solver::Adaptive { tolerance },
+                    ..
+                } => self.tolerance = Some(tolerance),
+                _ => {}
+            }
         }
+        let check = |scene: &Scene| Check {
+            least_steps: too_few_steps(scene),
+            reference: reference(scene),
+        };
+        self.checks = self.scenes.iter().map(check).collect();
     }
 
     /// What it takes to get from the present scenes to others.

@@ -4,23 +4,27 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
+use super::accuracy;
 use super::text::{Line, columns, fitted, line, wrapped};
 use crate::tui::keys::{BINDINGS, Hint};
+use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Overlay, Prompt};
 
 /// Looks at the numbers, five a second, for which a line of a longer text stays.
 const LOOKS_A_LINE: u64 = 25;
 
-/// Draws the line of the moment: a prompt, a message, a hint, or, where it stands
-/// nowhere else, what to look for.
-pub fn render_message(model: &Model, look_for: bool, area: Rect, buffer: &mut Buffer) {
-    let theme = model.theme;
+/// Draws the line of the moment: a prompt, a message, a hint, or, where they stand
+/// nowhere else, what there is to say of the columns and what to look for.
+pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
+    let (theme, area) = (model.theme, layout.message);
+    let notice = model.notices().first().copied();
+    let notice = notice.filter(|_| layout.notices.is_empty());
     let mut start = line(theme, buffer, area, 0);
     start.skip(1);
     let room = start.room().saturating_sub(1);
-    match (&model.overlay, &model.message) {
-        (Overlay::Prompt(prompt), _) => ask(&mut start, prompt, model),
-        (_, Some(message)) => {
+    match (&model.overlay, &model.message, notice) {
+        (Overlay::Prompt(prompt), ..) => ask(&mut start, prompt, model),
+        (_, Some(message), _) => {
             let style = if message.alarm {
                 theme.alarm()
             } else {
@@ -39,7 +43,8 @@ pub fn render_message(model: &Model, look_for: bool, area: Rect, buffer: &mut Bu
                 theme.strong(),
             );
         }
-        _ if !look_for => {}
+        (.., Some(notice)) => accuracy::render_notice(model, notice, area, 0, buffer),
+        _ if !layout.text.is_empty() => {}
         _ => {
             // Line after line where all of it has no room.
             let text = format!("look for: {}", model.preset.look_for);

@@ -5,13 +5,15 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::text::{columns, fitted, line};
+use crate::scene::LawName;
 use crate::scene::parameters::{Parameter, Value, display, display_ascii, find};
 use crate::tui::model::{Model, speed_text};
 use crate::tui::numbers;
 
 /// What tells one scene from another, the most important first.
-const FACTS: [&str; 7] = [
+const FACTS: [&str; 8] = [
     "n",
+    "law",
     "restitution",
     "contact_time",
     "frequency",
@@ -78,6 +80,10 @@ fn facts(model: &Model, room: u16) -> (String, u16) {
 
 fn fact(model: &Model, parameter: &Parameter) -> Option<String> {
     let value = model.bench.value(parameter)?;
+    if parameter.name == "law" {
+        let special = matches!(value, Value::Choice(law) if law != LawName::Hooke.as_str());
+        return special.then(|| format!("  {}", display(parameter, value)));
+    }
     if let ("alpha", Value::Number(alpha)) = (parameter.name, value) {
         return Some(format!("  α {}", numbers::short(alpha)));
     }

@@ -44,6 +44,18 @@ const TERMS: &[(&str, &str)] = &[
         "drift",
         "change of the energy ledger, relative to its largest term: the run's own estimate of its error.",
     ),
+    (
+        "Gear Verlet",
+        "soft contacts on a fixed grid of steps, t_c/100 say. Too few steps and they blow up; the screen warns.",
+    ),
+    (
+        "exact",
+        "soft contacts without steps: linear contacts to rounding; power laws by an adaptive method to a tolerance.",
+    ),
+    (
+        "error",
+        "what x shows: an exact run from the column's state at that moment goes on beside it, in the time that the columns leave. How far the bead that is furthest off is off, in metres and in diameters, and by what part E is. A fixed grid is off by its steps; what is exact by rounding, which grows on a plate: the motion is chaotic there.",
+    ),
 ];
 
 /// A line of the help: a word, and what it stands for.

@@ -86,10 +86,13 @@ fn row(
         width: cell.width.saturating_sub(value_width),
         ..cell
     };
-    line(theme, buffer, name, 0).put(
-        &format!("{symbol:<5} {}", parameter.name.replace('_', " ")),
-        Style::new(),
-    );
+    let words = parameter.name.replace('_', " ");
+    let mut label = format!("{symbol:<5} {words}");
+    // A long value needs the room of the symbol that is not there.
+    if symbol.is_empty() && columns(&label) > name.width {
+        label = words;
+    }
+    line(theme, buffer, name, 0).put(&label, Style::new());
     line(theme, buffer, cell, 0).right(&value, theme.strong());
     if selected {
         buffer.set_style(cell.intersection(buffer.area), theme.selected());

@@ -10,6 +10,8 @@ use crate::physics::plate::Plate;
 pub(crate) trait Ground: Send {
     /// Whether there is gravity, so that beads fall, bounce out and rest.
     const PULLS: bool;
+    /// Whether the floor moves.
+    const MOVES: bool = false;
     /// Gap and rate at time `t` of a free bead that had gap `g` and rate `w` at `t0`.
     fn fall(&self, t0: f64, g: f64, w: f64, t: f64) -> (f64, f64);
     /// When that bead next hits; infinite if never.
@@ -24,6 +26,15 @@ pub(crate) trait Ground: Send {
     fn tick(&self) -> f64;
     /// Moves the epoch on by a tick.
     fn move_epoch(&mut self) {}
+    /// Makes `plate` the floor at the epoch.
+    fn set_plate(&mut self, _: Plate) {}
+    /// Taylor coefficients, in units of `h`, of the acceleration −(g + z̈₀) of a free
+    /// lowest gap at `t`, m/s².
+    fn pull(&self, t: f64, h: f64, into: &mut [f64]);
+    /// Those of the floor's velocity, m/s.
+    fn motion(&self, _: f64, _: f64, into: &mut [f64]) {
+        into.fill(0.0);
+    }
 }
 
 /// A fixed floor without gravity.
@@ -56,6 +67,10 @@ impl Ground for Free {
 
     fn tick(&self) -> f64 {
         f64::INFINITY
+    }
+
+    fn pull(&self, _: f64, _: f64, into: &mut [f64]) {
+        into.fill(0.0);
     }
 }
 
@@ -122,6 +137,11 @@ impl Ground for Weight {
 
     fn tick(&self) -> f64 {
         self.tick
+    }
+
+    fn pull(&self, _: f64, _: f64, into: &mut [f64]) {
+        into.fill(0.0);
+        into[0] = -self.gravity;
     }
 }
 
@@ -209,6 +229,16 @@ fn beyond_taylor(x: f64) -> (f64, f64) {
     (sine, cosine)
 }
 
+/// Taylor coefficients of a (sin cos x + cos sin x) in units of which x is one.
+fn oscillation(a: f64, sin: f64, cos: f64, x: f64, into: &mut [f64]) {
+    let mut size = a;
+    let mut quarter = [sin, cos, -sin, -cos].into_iter().cycle();
+    for (k, c) in into.iter_mut().enumerate() {
+        *c = size * quarter.next().unwrap_or_default();
+        size *= x / (k + 1) as f64;
+    }
+}
+
 impl Shaken {
     pub fn new(gravity: f64, plate: Plate) -> Self {
         let shake = plate.amplitude * plate.omega * plate.omega;
@@ -270,6 +300,7 @@ impl Shaken {
 
 impl Ground for Shaken {
     const PULLS: bool = true;
+    const MOVES: bool = true;
 
     fn fall(&self, t0: f64, g: f64, w: f64, t: f64) -> (f64, f64) {
         self.falling(t0, g, w).at(t - t0)
@@ -340,6 +371,22 @@ impl Ground for Shaken {
 
     fn move_epoch(&mut self) {
         self.plate = self.plate.later(self.tick);
+    }
+
+    fn set_plate(&mut self, plate: Plate) {
+        self.plate = plate;
+    }
+
+    fn pull(&self, t: f64, h: f64, into: &mut [f64]) {
+        let (sin, cos) = self.phase(t).sin_cos();
+        oscillation(self.shake, sin, cos, self.plate.omega * h, into);
+        into[0] -= self.gravity;
+    }
+
+    fn motion(&self, t: f64, h: f64, into: &mut [f64]) {
+        let (sin, cos) = self.phase(t).sin_cos();
+        let fastest = self.plate.amplitude * self.plate.omega;
+        oscillation(fastest, cos, -sin, self.plate.omega * h, into);
     }
 }
 

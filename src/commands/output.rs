@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Where results go.
-pub(super) struct Output {
+pub(in crate::commands) struct Output {
     writer: Box<dyn Write>,
     file: Option<Unfinished>,
 }

@@ -14,7 +14,7 @@ const REFRESH: Duration = Duration::from_millis(100);
 const PARTS: f64 = 1000.0;
 
 /// A bar on standard error, if that is a terminal and the run takes its time.
-pub(super) struct Progress {
+pub(in crate::commands) struct Progress {
     duration: Option<f64>,
     due: Instant,
     bar: Option<ProgressBar>,
@@ -73,4 +73,36 @@ fn new_bar(has_end: bool) -> ProgressBar {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let parts = has_end.then_some(PARTS as u64);
     ProgressBar::with_draw_target(parts, ProgressDrawTarget::stderr()).with_style(style)
+}
+
+/// A bar on standard error for a study of many runs, if that is a terminal.
+pub(in crate::commands) struct Waiting(Option<ProgressBar>);
+
+impl Waiting {
+    pub fn new() -> Self {
+        let wanted = io::stderr().is_terminal();
+        Self(wanted.then(|| new_bar(true)))
+    }
+
+    /// Shows what the study is at, and which part of it is done.
+    pub fn show(&mut self, what: &str, part: f64) {
+        if let Some(bar) = &self.0 {
+            bar.set_message(what.to_owned());
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "from 0 to 1000"
+            )]
+            bar.set_position((PARTS * part.clamp(0.0, 1.0)) as u64);
+            bar.tick();
+        }
+    }
+}
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.0 {
+            bar.finish_and_clear();
+        }
+    }
 }

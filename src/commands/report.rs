@@ -1,0 +1,122 @@
+//! A study's tables and plots, printed and written into a folder.
+
+use super::output::Output;
+use super::{Failure, printed};
+use crate::cli::{Format, ReportArgs};
+use crate::scene::words::one_line;
+use crate::study::accuracy::Report;
+use crate::tui::theme::Theme;
+use std::fs;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+/// Columns where no terminal says otherwise, and the most that a line is read in.
+const WIDTH: usize = 80;
+const WIDEST: usize = 100;
+
+/// Lines of a plot.
+const LINES: usize = 22;
+
+/// Where a report goes; made before the work, so that it does not end in vain.
+pub(super) struct Destination<'a> {
+    args: &'a ReportArgs,
+    folder: Option<(PathBuf, Output)>,
+}
+
+impl<'a> Destination<'a> {
+    /// The folder is made where only its last part is missing.
+    pub fn open(args: &'a ReportArgs) -> Result<Self, Failure> {
+        let folder = match &args.out {
+            None => None,
+            Some(path) => Some((path.clone(), open_folder(path)?)),
+        };
+        Ok(Self { args, folder })
+    }
+
+    /// Prints the report, and writes all its parts into the folder.
+    pub fn write(self, report: &Report) -> Result<(), Failure> {
+        if let Some((folder, mut text)) = self.folder {
+            let all = in_words(report, WIDTH, true);
+            let written = text.write_all(all.as_bytes());
+            text.judge(written)?;
+            text.finish()?;
+            write_parts(&folder, report)?;
+        }
+        let text = match self.args.format {
+            Format::Text => {
+                let theme = Theme::detect(self.args.ascii, |name| std::env::var(name).ok());
+                in_words(report, columns(), theme.ascii)
+            }
+            Format::Csv => in_csv(report),
+            Format::Json => in_json(report),
+        };
+        let mut out = io::stdout().lock();
+        printed(out.write_all(text.as_bytes()).and_then(|()| out.flush()))
+    }
+}
+
+fn open_folder(path: &Path) -> Result<Output, Failure> {
+    if !path.exists() {
+        fs::create_dir(path).map_err(|error| {
+            let path = one_line(&path.to_string_lossy());
+            let error = one_line(&error.to_string());
+            Failure::BadInput(format!("--out {path}: cannot be made: {error}"))
+        })?;
+    }
+    if !path.is_dir() {
+        let path = one_line(&path.to_string_lossy());
+        return Err(Failure::BadInput(format!("--out {path}: is not a folder")));
+    }
+    Output::open(Some(&path.join("report.txt")))
+}
+
+/// Each table as CSV, each plot as SVG, and everything as JSON.
+fn write_parts(folder: &Path, report: &Report) -> Result<(), Failure> {
+    let tables = report
+        .tables
+        .iter()
+        .map(|t| (format!("{}.csv", t.name), t.csv()));
+    let plots = report
+        .plots
+        .iter()
+        .map(|p| (format!("{}.svg", p.name), p.svg()));
+    let json = ("report.json".to_owned(), in_json(report));
+    for (name, text) in tables.chain(plots).chain([json]) {
+        let mut output = Output::open(Some(&folder.join(name)))?;
+        let written = output.write_all(text.as_bytes());
+        output.judge(written)?;
+        output.finish()?;
+    }
+    Ok(())
+}
+
+/// Columns of the terminal, or of a page.
+fn columns() -> usize {
+    if !io::stdout().is_terminal() {
+        return WIDTH;
+    }
+    crossterm::terminal::size().map_or(WIDTH, |(columns, _)| usize::from(columns).clamp(20, WIDEST))
+}
+
+fn in_words(report: &Report, width: usize, ascii: bool) -> String {
+    let tables = report.tables.iter().map(|table| table.text(width));
+    let plots = report
+        .plots
+        .iter()
+        .map(|plot| plot.terminal(width, LINES, ascii));
+    tables.chain(plots).collect::<Vec<_>>().join("\n")
+}
+
+fn in_csv(report: &Report) -> String {
+    let tables: Vec<_> = report
+        .tables
+        .iter()
+        .map(crate::study::table::Table::csv)
+        .collect();
+    tables.join("\n")
+}
+
+fn in_json(report: &Report) -> String {
+    let text = serde_json::to_string_pretty(&report.tables);
+    text.expect("words and finite numbers can be written") + "\n"
+}

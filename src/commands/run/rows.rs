@@ -1,0 +1,248 @@
+//! What a run prints, row by row.
+
+use super::report::{Cell, Report, Row};
+use crate::commands::{Failure, note};
+use crate::physics;
+use crate::scene::{Law, Preset, Scene, Start};
+use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch};
+use std::time::Instant;
+
+/// A ledger that is off by more belongs to a run that has lost its physics.
+const UNTRUSTED: f64 = 0.1;
+
+/// Bead steps of a run that may be done twice without being asked to.
+const CHEAP: f64 = 1e8;
+
+/// Runs the scene to its end.
+pub(super) fn measure(
+    preset: &Preset,
+    sensitivity: bool,
+    watch: &mut Watch,
+) -> Result<Report, Failure> {
+    let scene = &preset.scene;
+    let started = Instant::now();
+    let mut look = |time| watch(time);
+    let results = study::measure(scene, &mut Drive::new(scene, &mut look))?;
+    let wall_time = started.elapsed().as_secs_f64().max(1e-9);
+    let patterns = patterns(scene, &results, sensitivity);
+    let sensitivity = study::sensitivity(scene, &results, patterns, watch)?;
+    if results.h_cm_mean.is_none() && results.eps_eff.is_none() {
+        note(&format!(
+            "the floor collision is not over at {:e} s, so it has no eps_eff yet",
+            results.sim_time
+        ));
+    }
+    if results.energy_drift.abs() > UNTRUSTED {
+        note(&format!(
+            "the energy ledger is off by {:.0} %, so these numbers are not to be trusted",
+            100.0 * results.energy_drift.abs()
+        ));
+    }
+    let report = Report {
+        title: preset.title.clone(),
+        rows: rows(preset, &results, &sensitivity, wall_time),
+        wall_time,
+    };
+    report.check()?;
+    Ok(report)
+}
+
+/// How many patterns of last bits are tried.
+fn patterns(scene: &Scene, results: &Results, asked: bool) -> usize {
+    let cost = results.steps as f64 * scene.n as f64 + results.events as f64;
+    match () {
+        () if asked => PATTERNS,
+        () if scene.gravity.is_none() && cost < CHEAP => 1,
+        () => 0,
+    }
+}
+
+/// All fields in their order: the scene's, then what was results.
+fn rows(preset: &Preset, results: &Results, sensitivity: &Sensitivity, wall_time: f64) -> Vec<Row> {
+    let sim_time = results.sim_time;
+    let mut rows = of_the_scene(preset);
+    rows.extend(of_the_run(&preset.scene, results, sensitivity));
+    rows.push(Row::new(
+        "sim_time",
+        Some(Cell::Number(sim_time)),
+        "s",
+        "simulated",
+    ));
+    rows.push(Row::of_the_machine("wall_time", wall_time, "s", "taken"));
+    rows.push(Row::of_the_machine(
+        "speed",
+        sim_time / wall_time,
+        "",
+        "sim_time/wall_time",
+    ));
+    rows
+}
+
+fn of_the_scene(preset: &Preset) -> Vec<Row> {
+    let scene = &preset.scene;
+    let method = scene.method.name();
+    let start = match scene.start {
+        Start::Separated { s0, v0, .. } => Some((s0, v0)),
+        Start::Resting => None,
+    };
+    let law = scene.law();
+    let power = match law {
+        Some(Law::Power(power)) => Some(power),
+        _ => None,
+    };
+    // Under a power law these depend on the speed.
+    let (of_two, of_one, lasting) = if power.is_some() {
+        (
+            "of two beads at the scene's own speed",
+            "of a bead on the floor at that speed",
+            "of two beads at that speed, undamped",
+        )
+    } else {
+        ("of two beads", "of a bead on the floor", "of two beads")
+    };
+    let word = |text: &str| Some(Cell::Word(text.to_owned()));
+    let number = |x: f64| Some(Cell::Number(x));
+    vec![
+        Row::new("preset", word(&preset.name), "", ""),
+        Row::new("method", word(method.as_str()), "", method.meaning()),
+        Row::new(
+            "law",
+            law.map(|law| Cell::Word(law.name().as_str().to_owned())),
+            "",
+            law.map_or("", |law| law.name().meaning()),
+        ),
+        Row::new(
+            "beta",
+            power.map(|power| Cell::Number(power.exponents.beta())),
+            "",
+            "elastic force x^(1+beta)",
+        ),
+        Row::new(
+            "gamma",
+            power.map(|power| Cell::Number(power.exponents.gamma())),
+            "",
+            "dissipative force x^gamma dx/dt",
+        ),
+        Row::new(
+            "stiffness",
+            power.map(|power| Cell::Number(power.stiffness)),
+            "SI",
+            "K/m, m being the reduced mass of two beads",
+        ),
+        Row::new(
+            "damping",
+            power.map(|power| Cell::Number(power.damping)),
+            "SI",
+            "D_n",
+        ),
+        Row::new("n", Some(Cell::Count(scene.n as u64)), "", "beads"),
+        Row::new("restitution", number(scene.restitution), "", of_two),
+        Row::new(
+            "floor_restitution",
+            number(physics::floor_restitution(scene)),
+            "",
+            of_one,
+        ),
+        Row::new(
+            "contact_time",
+            scene.contact_time().map(Cell::Number),
+            "s",
+            lasting,
+        ),
+        Row::new(
+            "v0",
+            start.map(|(_, v0)| Cell::Number(v0)),
+            "m/s",
+            "velocity at the start",
+        ),
+        Row::new(
+            "s0",
+            start.map(|(s0, _)| Cell::Number(s0)),
+            "m",
+            "separation at the start",
+        ),
+        Row::new(
+            "sigma0",
+            scene.sigma0().map(Cell::Number),
+            "",
+            "s0/(|v0| contact_time)",
+        ),
+    ]
+}
+
+fn of_the_run(scene: &Scene, results: &Results, known: &Sensitivity) -> Vec<Row> {
+    let soft = scene.is_md();
+    let standard_error = results.h_cm_error.zip(results.h_cm_mean);
+    let standard_error = standard_error.map(|(error, mean)| (error / mean).abs());
+    vec![
+        Row::new(
+            "eps_eff",
+            results.eps_eff.map(Cell::Number),
+            "",
+            "sqrt(E_f/E_0)",
+        )
+        .known_to(known.eps_eff),
+        Row::new(
+            "er_over_ef",
+            results.er_over_ef.map(Cell::Number),
+            "",
+            "share of E_f that is relative motion",
+        )
+        .known_to(known.er_over_ef),
+        Row::new(
+            "contact_duration",
+            results.contact_duration.map(Cell::Number),
+            "s",
+            "the floor's, from first touch to last",
+        )
+        .known_to(known.contact_duration),
+        Row::new(
+            "h_cm_mean",
+            results.h_cm_mean.map(Cell::Number),
+            "m",
+            "height of the centre of mass, mean of the last 90 %",
+        )
+        .known_to(known.h_cm_mean)
+        .shown_to(standard_error),
+        Row::new(
+            "h_cm_error",
+            results.h_cm_error.map(Cell::Number),
+            "m",
+            "its standard error",
+        )
+        .known_to(Some(0.1)),
+        Row::new(
+            "sigma",
+            results.sigma.map(Cell::Number),
+            "",
+            "mean free flight over contact_time",
+        )
+        .known_to(known.sigma),
+        Row::new(
+            "energy_drift",
+            Some(Cell::Number(results.energy_drift)),
+            "",
+            "relative error of the ledger",
+        )
+        .known_to(Some(0.1)),
+        Row::new(
+            "sensitivity",
+            known.main().map(Cell::Number),
+            "",
+            "relative change by a last bit of the start",
+        )
+        .known_to(Some(0.1)),
+        Row::new(
+            "events",
+            (!soft).then_some(Cell::Count(results.events)),
+            "",
+            "collisions",
+        ),
+        Row::new(
+            "steps",
+            soft.then_some(Cell::Count(results.steps)),
+            "",
+            "time steps",
+        ),
+    ]
+}

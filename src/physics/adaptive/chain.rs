@@ -1,0 +1,110 @@
+//! The contacts of a column under a power law, and the rates of its motion.
+
+use crate::physics::column::reduced_mass;
+use crate::physics::flight::Ground;
+use crate::physics::power_law::{Spring, power};
+
+/// A column: its contacts and masses. The state is laid out as gaps, rates, energy lost
+/// in contacts, work of the plate.
+pub(super) struct Chain {
+    pub springs: Vec<Spring>,
+    pub attraction: bool,
+    inverse: Vec<f64>,
+    reduced: Vec<f64>,
+    /// What gravity does to a rate in a contact time, m/s.
+    fall: f64,
+}
+
+/// Motion below this part of the largest one in the column is not resolved further.
+const FAINT: f64 = 1e-6;
+
+impl Chain {
+    pub fn new(springs: Vec<Spring>, masses: &[f64], attraction: bool, fall: f64) -> Self {
+        Self {
+            springs,
+            attraction,
+            inverse: masses.iter().map(|m| 1.0 / m).collect(),
+            reduced: (0..masses.len()).map(|i| reduced_mass(masses, i)).collect(),
+            fall,
+        }
+    }
+
+    /// Number of gaps.
+    pub fn len(&self) -> usize {
+        self.springs.len()
+    }
+
+    /// Force of a contact at gap `g` with rate `w`, and the power that it loses.
+    fn push(&self, i: usize, g: f64, w: f64) -> (f64, f64) {
+        let spring = &self.springs[i];
+        // A contact that is about to end may be tried out beyond its end.
+        let x = (-g).max(0.0);
+        let elastic = spring.elastic(x);
+        let full = elastic - spring.dashpot * power(x, spring.gamma) * w;
+        let force = if self.attraction { full } else { full.max(0.0) };
+        (force, (elastic - force) * w)
+    }
+
+    /// Writes the derivative of `y` at time `t` of the ground's, `closed` being the contacts.
+    pub fn rate<G: Ground>(&self, ground: &G, t: f64, closed: &[bool], y: &[f64], dy: &mut [f64]) {
+        let n = self.len();
+        let (gaps, rest) = y.split_at(n);
+        let rates = &rest[..n];
+        let (moved, rest) = dy.split_at_mut(n);
+        let (pushed, books) = rest.split_at_mut(n);
+        moved.copy_from_slice(rates);
+        books.fill(0.0);
+        for i in 0..n {
+            let (force, power) = if closed[i] {
+                self.push(i, gaps[i], rates[i])
+            } else {
+                (0.0, 0.0)
+            };
+            pushed[i] = force;
+            books[0] += power;
+        }
+        if closed[0] && G::MOVES {
+            books[1] = pushed[0] * ground.plate(t).velocity();
+        }
+        // From forces to accelerations of the beads, and to those of the gaps below them.
+        let mut below = 0.0;
+        for i in 0..n {
+            let above = if i + 1 < n { pushed[i + 1] } else { 0.0 };
+            let acceleration = (pushed[i] - above) * self.inverse[i];
+            pushed[i] = acceleration - below;
+            below = acceleration;
+        }
+        if G::PULLS {
+            pushed[0] -= ground.pressing(t);
+        }
+    }
+
+    /// Energy of the contacts' own motion at these speeds, m²/s².
+    pub fn energy(&self, speeds: &[f64]) -> f64 {
+        let each = speeds.iter().zip(&self.reduced);
+        each.map(|(speed, reduced)| 0.5 * reduced * speed * speed)
+            .sum()
+    }
+
+    /// The speed of each contact's own motion, from what it moves with and what it stores,
+    /// but no less than a faint part of the liveliest, which is returned.
+    pub fn speeds(&self, closed: &[bool], y: &[f64], into: &mut [f64]) -> f64 {
+        let n = self.len();
+        let mut largest = self.fall;
+        for i in 0..n {
+            let stored = if closed[i] {
+                2.0 * self.springs[i].energy((-y[i]).max(0.0)) / self.reduced[i]
+            } else {
+                0.0
+            };
+            into[i] = y[n + i].abs() + stored.sqrt();
+            largest = largest.max(into[i]);
+        }
+        // The square of an even fainter one would underflow.
+        let least = (FAINT * largest).max(1e-150);
+        for speed in into {
+            *speed = speed.max(least);
+        }
+        least
+    }
+}

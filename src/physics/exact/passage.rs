@@ -1,0 +1,143 @@
+//! How a cluster is brought to any time before its plan ends, and what it costs.
+
+use super::cluster::Plan;
+use super::crossing::{Polynomial, ROWS};
+use super::series::{NEGLIGIBLE, Series, lanes};
+use super::{Exact, Gap, Mode, Room};
+use crate::physics::flight::Ground;
+use crate::physics::ledger::Ledger;
+use crate::physics::power_law::Spring;
+
+/// Lengths and speeds below that matter to nothing, and would decay into subnormal
+/// numbers, which are slow.
+const NOTHING: f64 = 1e-200;
+
+impl<G: Ground> Exact<G> {
+    /// Ends the plan of the cluster that starts at `low`, at its end `t`; what changes.
+    pub(super) fn finish(&mut self, low: usize, t: f64) -> Option<(usize, Mode)> {
+        let change = match self.plans[low] {
+            Plan::Flight => Some((low, Mode::Pushing)),
+            Plan::Series { change, .. } => change,
+            Plan::Encounter(i) => Some((i, Mode::Open)),
+            Plan::Rest => None,
+        };
+        self.bring(low, t);
+        change
+    }
+
+    /// Brings the cluster that starts at `low` to time `t`, before its plan ends or then.
+    pub(super) fn bring(&mut self, low: usize, t: f64) {
+        let mut room = std::mem::take(&mut self.room);
+        let mut ledger = std::mem::take(&mut self.state.books.ledger);
+        self.account(low, t, &mut ledger, &mut room);
+        self.state.books.ledger = ledger;
+        let high = self.end[low];
+        self.at(low, t, &mut room.a, &mut room.b);
+        let moved = room.a.iter().zip(&room.b);
+        for (gap, (&g, &w)) in self.gaps[low..high].iter_mut().zip(moved) {
+            let flush = |x: f64| if x.abs() < NOTHING { 0.0 } else { x };
+            let (g, w) = (flush(g), flush(w));
+            *gap = Gap { g, w, t };
+        }
+        self.room = room;
+    }
+
+    /// How far into its series the cluster that starts at `low` is at `t`, in units of
+    /// `h`: to the last bit at its end, whose time is rounded.
+    fn progress(&self, low: usize, t: f64, h: f64, reach: f64) -> f64 {
+        if t >= self.queue.get(low) {
+            reach
+        } else {
+            ((t - self.gaps[low].t) / h).min(reach)
+        }
+    }
+
+    /// The series of the cluster that starts at `low`.
+    fn series(&self, low: usize, h: f64) -> Series<'_> {
+        let lanes = lanes(self.end[low] - low);
+        Series::new(&self.coefficients[2 * ROWS * low..], lanes, h)
+    }
+
+    /// Gaps and rates of the cluster that starts at `low`, at `t`; and zeros behind, in
+    /// rows that have room for whole lanes.
+    pub(super) fn at(&self, low: usize, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
+        let Gap { g, w, t: t0 } = self.gaps[low];
+        match self.plans[low] {
+            Plan::Flight if G::PULLS && low == 0 => {
+                (gaps[0], rates[0]) = self.ground.fall(t0, g, w, t);
+            }
+            Plan::Flight => (gaps[0], rates[0]) = (g + w * (t - t0), w),
+            Plan::Series { h, reach, .. } => {
+                let s = self.progress(low, t, h, reach);
+                self.series(low, h).evaluate(s, gaps, rates);
+            }
+            Plan::Encounter(i) => self.at_encounter(low, i, t, gaps, rates),
+            Plan::Rest => self.at_rest(t, gaps, rates),
+        }
+    }
+
+    /// Books what the cluster that starts at `low` has lost, and the plate's work on
+    /// it, from its own time up to `t`.
+    pub(super) fn account(&self, low: usize, t: f64, ledger: &mut Ledger, room: &mut Room) {
+        let (h, reach) = match self.plans[low] {
+            Plan::Flight => return,
+            Plan::Series { h, reach, .. } => (h, reach),
+            Plan::Encounter(i) => return self.account_encounter(low, i, t, ledger),
+            Plan::Rest => return self.account_rest(t, ledger),
+        };
+        let series = self.series(low, h);
+        let s = self.progress(low, t, h, reach);
+        room.a.fill(0.0);
+        for (j, i) in (low..self.end[low]).enumerate() {
+            let Spring {
+                stiffness, dashpot, ..
+            } = self.springs[i];
+            match self.modes[i] {
+                Mode::Open => {}
+                Mode::Pushing => room.a[j] = dashpot,
+                Mode::Idle => {
+                    // Where the attraction is cut off the spring relaxes without work.
+                    let g = series.gap(j, 1.0, s).iter().sum::<f64>();
+                    let squares = (self.gaps[i].g - g) * (self.gaps[i].g + g);
+                    ledger.lost.add(0.5 * stiffness * squares);
+                }
+            }
+        }
+        ledger.lost.add(series.dissipation(s, &room.a, &mut room.b));
+        if G::MOVES && low == 0 && self.modes[0] == Mode::Pushing {
+            let force = series.force(0, self.springs[0], 1.0, s);
+            ledger.plate_work.add(self.plate_work(&force, h, s));
+        }
+    }
+
+    /// ∫ F ż₀ dt from 0 to `s`, F the force on the floor as a series in s'/s.
+    fn plate_work(&self, force: &Polynomial, h: f64, s: f64) -> f64 {
+        let mut motion = [0.0; ROWS];
+        self.ground.motion(self.gaps[0].t, h, &mut motion);
+        // The plate's own phase x over h is small mostly: x^j/j! soon is nothing.
+        let x = self.ground.plate(0.0).omega * h;
+        let (mut bound, mut power, mut work) = (1.0, s * h, 0.0);
+        for (j, v) in motion.iter().enumerate() {
+            if bound < NEGLIGIBLE {
+                break;
+            }
+            bound *= x / (j + 1) as f64;
+            // ∫ (s'/s)^k s'^j ds' = s^{j+1}/(k+j+1).
+            let terms = force.iter().zip(&ONE_OVER[j..]);
+            work += v * power * terms.map(|(f, over)| f * over).sum::<f64>();
+            power *= s;
+        }
+        work
+    }
+}
+
+/// 1/(k + 1).
+const ONE_OVER: [f64; 2 * ROWS] = {
+    let mut table = [0.0; 2 * ROWS];
+    let mut k = 0;
+    while k < 2 * ROWS {
+        table[k] = 1.0 / (k + 1) as f64;
+        k += 1;
+    }
+    table
+};

@@ -1,0 +1,398 @@
+//! A stack at rest on the floor, for as long as nothing in it can open.
+//!
+//! Its overlaps are a steady answer to weight and plate, known in closed form, and a
+//! transient that obeys the same equations without drive. The transient's energy V can
+//! only fall, so no contact i opens while its steady overlap exceeds √(2V/K_i). Until
+//! then nothing needs to be looked at: the transient is taken on by powers of its
+//! propagator, whatever the time.
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use super::crossing::ROWS;
+use super::series::{Coupling, PHASE, Series, expand, lanes};
+use crate::physics::plate::Plate;
+use crate::physics::power_law::Spring;
+
+/// Longest rest planned at once, 2^16 steps of a series.
+const POWERS: u32 = 16;
+/// Part of the steady overlap kept in reserve, against rounding.
+const RESERVE: f64 = 1e-9;
+/// A transient of less energy, over the elastic energy of the steady overlaps, is none.
+const STILL: f64 = 1e-40;
+
+/// A stack of beads that can rest: its steady answer and its propagator.
+#[derive(Debug)]
+pub(super) struct Stack {
+    springs: Vec<Spring>,
+    masses: Vec<f64>,
+    /// Overlaps under the stack's own weight, m.
+    weight: Vec<f64>,
+    /// Complex amplitude of each gap's answer to the plate: Im(X e^{iθ}), m.
+    answer: Vec<Complex<f64>>,
+    /// 2π times the plate's frequency, 1/s.
+    omega: f64,
+    /// Step of the propagator, s.
+    h: f64,
+    coupling: Coupling,
+    /// Propagators over h, 2h, 4h, ... of gaps and rates times h.
+    powers: Vec<DMatrix<f64>>,
+}
+
+/// A stack that rests.
+#[derive(Debug, Clone)]
+pub(super) struct Rest {
+    /// Gaps, then rates times h, apart from the steady answer.
+    transient: DVector<f64>,
+    /// Energy of the transient, m²/s².
+    energy: f64,
+    /// Phase of the plate.
+    phase: f64,
+    /// How long it lasts for sure, s.
+    pub lasts: f64,
+}
+
+impl Stack {
+    /// The stack of these beads, lowest first, under gravity on a plate.
+    pub fn new(springs: &[Spring], masses: &[f64], gravity: f64, plate: Plate) -> Self {
+        let m = masses.len();
+        let mut load = 0.0;
+        let mut weight = vec![0.0; m];
+        for i in (0..m).rev() {
+            load += masses[i] * gravity;
+            weight[i] = load / springs[i].stiffness;
+        }
+        let lanes = lanes(m);
+        let mut coupling = Coupling::default();
+        coupling.clear(lanes);
+        let mut fastest = (0.0_f64, 0.0_f64);
+        for i in 0..m {
+            coupling.above[i] = 1.0 / masses[i];
+            coupling.below[i] = if i == 0 { 0.0 } else { 1.0 / masses[i - 1] };
+            // Gershgorin, with room to spare.
+            let both = 2.0 * (coupling.above[i] + coupling.below[i]);
+            fastest.0 = fastest.0.max(both * springs[i].stiffness);
+            fastest.1 = fastest.1.max(both * springs[i].dashpot);
+        }
+        let h = PHASE / (fastest.0.sqrt() + fastest.1);
+        let mut stack = Self {
+            answer: answer(springs, masses, plate),
+            springs: springs.to_vec(),
+            masses: masses.to_vec(),
+            weight,
+            omega: plate.omega,
+            h,
+            coupling,
+            powers: Vec::new(),
+        };
+        let columns: Vec<_> = (0..2 * m)
+            .map(|k| {
+                let unit = DVector::from_fn(2 * m, |i, _| f64::from(u8::from(i == k)));
+                stack.short(&unit, 1.0)
+            })
+            .collect();
+        stack.powers.push(DMatrix::from_columns(&columns));
+        stack
+    }
+
+    /// Takes a transient on by `part` ≤ 1 steps, with a series.
+    fn short(&self, transient: &DVector<f64>, part: f64) -> DVector<f64> {
+        let m = self.masses.len();
+        let lanes = lanes(m);
+        if part <= 0.0 {
+            return transient.clone();
+        }
+        let h = part * self.h;
+        let mut coupling = self.coupling.clone();
+        for (i, spring) in self.springs.iter().enumerate() {
+            coupling.stiffness[i] = spring.stiffness * h * h;
+            coupling.dashpot[i] = spring.dashpot * h;
+        }
+        let mut rows = vec![0.0; ROWS * lanes];
+        for i in 0..m {
+            rows[i] = transient[i];
+            rows[lanes + i] = transient[m + i] * part;
+        }
+        let mut room = vec![0.0; lanes + 2];
+        expand(&mut rows, &coupling, None, &mut room);
+        let (mut gaps, mut rates) = (vec![0.0; lanes], vec![0.0; lanes]);
+        Series::new(&rows, lanes, 1.0).evaluate(1.0, &mut gaps, &mut rates);
+        let slopes = rates[..m].iter().map(|rate| rate / part);
+        DVector::from_iterator(2 * m, gaps[..m].iter().copied().chain(slopes))
+    }
+}
+
+impl Stack {
+    /// Steady gaps, m, and rates, m/s, when the plate is at `phase`.
+    fn steady(&self, phase: f64) -> impl Iterator<Item = (f64, f64)> {
+        let turn = Complex::from_polar(1.0, phase);
+        let weights = self.weight.iter().zip(&self.answer);
+        weights.map(move |(weight, answer)| {
+            let now = answer * turn;
+            (now.im - weight, self.omega * now.re)
+        })
+    }
+
+    /// The rest of a stack with these gaps, m, and rates, m/s, if it lasts for sure for
+    /// longer than a few steps, and `most` s at most.
+    pub fn rest(&mut self, gaps: &[f64], rates: &[f64], phase: f64, most: f64) -> Option<Rest> {
+        let m = self.masses.len();
+        let steady = self.steady(phase);
+        let (y, u): (Vec<_>, Vec<_>) = steady
+            .zip(gaps.iter().zip(rates))
+            .map(|((x, v), (g, w))| (g - x, (w - v) * self.h))
+            .unzip();
+        let mut rest = Rest {
+            transient: DVector::from_iterator(2 * m, y.into_iter().chain(u)),
+            energy: 0.0,
+            phase,
+            lasts: most,
+        };
+        rest.energy = self.energy(&rest.transient);
+        let weights = self.weight.iter().zip(&self.springs);
+        let still: f64 = weights.map(|(x, spring)| spring.stiffness * x * x).sum();
+        if rest.energy <= STILL * still {
+            rest.transient.fill(0.0);
+            rest.energy = 0.0;
+        }
+        for i in 0..m {
+            rest.lasts = rest.lasts.min(self.sure(i, rest.energy, phase));
+        }
+        let steps = rest.lasts / self.h;
+        (steps > 32.0).then(|| {
+            rest.lasts = rest.lasts.min(f64::from(POWERS).exp2() * self.h);
+            let doublings = if rest.energy > 0.0 {
+                steps.log2().min(POWERS.into())
+            } else {
+                0.0
+            };
+            while (self.powers.len() as f64) < doublings + 1.0 {
+                let last = &self.powers[self.powers.len() - 1];
+                self.powers.push(last * last);
+            }
+            rest
+        })
+    }
+
+    /// How long contact `i` stays closed for sure, s, with a transient of energy V.
+    fn sure(&self, i: usize, energy: f64, phase: f64) -> f64 {
+        let most = (2.0 * energy / self.springs[i].stiffness).sqrt();
+        let spare = self.weight[i] * (1.0 - RESERVE) - most;
+        let (size, lead) = self.answer[i].to_polar();
+        // Closed while |X| sin(θ + φ) is less than what is to spare.
+        let sine = spare / size;
+        if spare <= 0.0 {
+            return 0.0;
+        }
+        if sine >= 1.0 {
+            return f64::INFINITY;
+        }
+        let angle = phase + lead;
+        if angle.sin() >= sine {
+            return 0.0;
+        }
+        (sine.asin() - angle).rem_euclid(std::f64::consts::TAU) / self.omega
+    }
+
+    /// Energy of a transient, m²/s².
+    fn energy(&self, transient: &DVector<f64>) -> f64 {
+        let m = self.masses.len();
+        let mut velocity = 0.0;
+        let mut energy = 0.0;
+        for i in 0..m {
+            velocity += transient[m + i] / self.h;
+            let y = transient[i];
+            energy +=
+                0.5 * (self.masses[i] * velocity * velocity + self.springs[i].stiffness * y * y);
+        }
+        energy
+    }
+
+    /// The transient a time `tau` after the rest began.
+    fn later(&self, rest: &Rest, tau: f64) -> DVector<f64> {
+        if rest.energy == 0.0 {
+            return rest.transient.clone();
+        }
+        let steps = tau / self.h;
+        let mut transient = self.short(&rest.transient, steps.fract());
+        for (doubling, power) in self.powers.iter().enumerate() {
+            let size = f64::from(u32::try_from(doubling).unwrap_or(u32::MAX)).exp2();
+            if (steps.floor() / size) % 2.0 >= 1.0 {
+                transient = power * transient;
+            }
+        }
+        transient
+    }
+
+    /// Gaps, m, and rates, m/s, a time `tau` after the rest began.
+    pub fn at(&self, rest: &Rest, tau: f64, gaps: &mut [f64], rates: &mut [f64]) {
+        let m = self.masses.len();
+        let transient = self.later(rest, tau);
+        let phase = rest.phase + self.omega * tau;
+        for (i, (x, v)) in self.steady(phase).enumerate() {
+            gaps[i] = x + transient[i];
+            rates[i] = v + transient[m + i] / self.h;
+        }
+    }
+
+    /// What the contacts lose in a time `tau` after the rest began, m²/s²: all that the
+    /// transient has less, and what it costs to follow the plate.
+    pub fn lost(&self, rest: &Rest, tau: f64) -> f64 {
+        let spent = rest.energy - self.energy(&self.later(rest, tau));
+        let follow = |(x, spring): (&Complex<f64>, &Spring)| {
+            let (size, lead) = (x * self.omega).to_polar();
+            let from = 2.0 * (rest.phase + lead);
+            let swing = ((from + 2.0 * self.omega * tau).sin() - from.sin()) / (4.0 * self.omega);
+            spring.dashpot * size * size * (0.5 * tau + swing)
+        };
+        if self.omega == 0.0 {
+            return spent;
+        }
+        spent
+            + self
+                .answer
+                .iter()
+                .zip(&self.springs)
+                .map(follow)
+                .sum::<f64>()
+    }
+}
+
+/// The stack's answer to a plate: amplitudes of its gaps, relative to e^{iθ}.
+///
+/// With U_i the movement of bead i over the plate, −ω²m_iU_i = F_i − F_{i+1} + m_iAω² and
+/// F_i = −(K_i + iωc_i)X_i. Upwards from an unknown X₀ every F is affine in it; the free
+/// top, F = 0, gives X₀, and the forces follow downwards without loss of digits.
+fn answer(springs: &[Spring], masses: &[f64], plate: Plate) -> Vec<Complex<f64>> {
+    type C = Complex<f64>;
+    let (zero, one) = (C::new(0.0, 0.0), C::new(1.0, 0.0));
+    let squared = plate.omega * plate.omega;
+    let give = |spring: &Spring| C::new(spring.stiffness, plate.omega * spring.dashpot);
+    // Numbers as (constant, factor of X₀).
+    let mut force = (zero, -give(&springs[0]));
+    let mut movement = (zero, one);
+    let mut movements = vec![movement];
+    for (spring, mass) in springs[1..].iter().zip(masses) {
+        force.0 += (movement.0 + plate.amplitude) * (mass * squared);
+        force.1 += movement.1 * (mass * squared);
+        movement.0 -= force.0 / give(spring);
+        movement.1 -= force.1 / give(spring);
+        movements.push(movement);
+    }
+    let top = masses[masses.len() - 1] * squared;
+    force.0 += (movement.0 + plate.amplitude) * top;
+    force.1 += movement.1 * top;
+    let first = -force.0 / force.1;
+    let mut force = zero;
+    let mut answer = vec![zero; springs.len()];
+    for i in (0..springs.len()).rev() {
+        let movement = movements[i].0 + movements[i].1 * first;
+        force -= (movement + plate.amplitude) * (masses[i] * squared);
+        answer[i] = -force / give(&springs[i]);
+    }
+    answer
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GRAVITY: f64 = 9.81;
+
+    /// Unequal beads on a plate at 30 Hz, t_c of about 0.03 ms.
+    fn stack() -> (Stack, Plate) {
+        let masses = [1.0, 0.6, 1.7, 0.9, 1.1];
+        let spring = |(i, m): (usize, &f64)| Spring::linear(5e9 * (1.0 + 0.1 * i as f64), 9e3 * m);
+        let springs: Vec<_> = masses.iter().enumerate().map(spring).collect();
+        let omega = 60.0 * std::f64::consts::PI;
+        let plate = Plate {
+            amplitude: 0.4 * GRAVITY / (omega * omega),
+            omega,
+            phase: 0.3,
+            centre: 0.0,
+        };
+        (Stack::new(&springs, &masses, GRAVITY, plate), plate)
+    }
+
+    /// Accelerations of the gaps, from forces on beads one by one.
+    fn accelerations(stack: &Stack, plate: Plate, t: f64, gaps: &[f64], rates: &[f64]) -> Vec<f64> {
+        let m = stack.masses.len();
+        let force = |i: usize| match stack.springs.get(i) {
+            Some(spring) => -spring.stiffness * gaps[i] - spring.dashpot * rates[i],
+            None => 0.0,
+        };
+        let floor = -plate.amplitude * plate.omega.powi(2) * (plate.phase + plate.omega * t).sin();
+        let bead = |i: usize| (force(i) - force(i + 1)) / stack.masses[i] - GRAVITY;
+        (0..m)
+            .map(|i| bead(i) - if i == 0 { floor } else { bead(i - 1) })
+            .collect()
+    }
+
+    /// The same stack by classical Runge–Kutta steps, an independent method.
+    fn runge_kutta(stack: &Stack, plate: Plate, state: &[f64], until: f64) -> Vec<f64> {
+        let m = stack.masses.len();
+        let slope = |t: f64, y: &[f64]| {
+            let mut slope = y[m..].to_vec();
+            slope.extend(accelerations(stack, plate, t, &y[..m], &y[m..]));
+            slope
+        };
+        let step = |y: &[f64], k: &[f64], h: f64| -> Vec<f64> {
+            y.iter().zip(k).map(|(y, k)| y + h * k).collect()
+        };
+        let steps = 40_000;
+        let h = until / f64::from(steps);
+        let mut y = state.to_vec();
+        for n in 0..steps {
+            let t = f64::from(n) * h;
+            let a = slope(t, &y);
+            let b = slope(t + 0.5 * h, &step(&y, &a, 0.5 * h));
+            let c = slope(t + 0.5 * h, &step(&y, &b, 0.5 * h));
+            let d = slope(t + h, &step(&y, &c, h));
+            for i in 0..2 * m {
+                y[i] += h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
+            }
+        }
+        y
+    }
+
+    #[test]
+    fn a_resting_stack_moves_as_its_equations_say() {
+        let (mut stack, plate) = stack();
+        let m = stack.masses.len();
+        // The steady answer, disturbed by a part of the top's overlap.
+        let mut state: Vec<f64> = stack.steady(plate.phase).map(|(x, _)| x).collect();
+        state.extend(stack.steady(plate.phase).map(|(_, v)| v));
+        state[2] += 0.2 * stack.weight[m - 1];
+        state[m] += 1e-5;
+        let rest = stack
+            .rest(&state[..m], &state[m..], plate.phase, f64::INFINITY)
+            .expect("it rests");
+        let tau = 100.37 * stack.h;
+        let (mut gaps, mut rates) = (vec![0.0; m], vec![0.0; m]);
+        stack.at(&rest, tau, &mut gaps, &mut rates);
+        let expected = runge_kutta(&stack, plate, &state, tau);
+        for i in 0..m {
+            // The error of 40 000 Runge–Kutta steps of a 200th of the fastest time each.
+            assert!((gaps[i] / expected[i] - 1.0).abs() < 1e-9, "gap {i}");
+            assert!((rates[i] - expected[m + i]).abs() < 1e-13, "rate {i}");
+        }
+        assert!(stack.energy(&stack.later(&rest, tau)) < rest.energy);
+    }
+
+    #[test]
+    fn a_rest_ends_before_the_plate_can_throw() {
+        let (mut stack, mut plate) = stack();
+        let m = stack.masses.len();
+        plate.amplitude *= 5.0;
+        stack.answer = answer(&stack.springs, &stack.masses, plate);
+        let (gaps, rates): (Vec<_>, Vec<_>) = stack.steady(plate.phase).unzip();
+        let rest = stack
+            .rest(&gaps, &rates, plate.phase, f64::INFINITY)
+            .expect("it rests for a while");
+        // α = 2: a rigid stack is thrown at sin θ = 1/2, a soft one about then.
+        let thrown = (std::f64::consts::FRAC_PI_6 - plate.phase) / plate.omega;
+        assert!((rest.lasts / thrown - 1.0).abs() < 0.1, "{}", rest.lasts);
+        let (mut gaps, mut rates) = (vec![0.0; m], vec![0.0; m]);
+        stack.at(&rest, rest.lasts, &mut gaps, &mut rates);
+        assert!(gaps.iter().all(|&g| g < 0.0));
+    }
+}

@@ -1,0 +1,22 @@
+//! Studies: runs without a screen, many of them, and what they say.
+//!
+//! A study takes scenes and gives numbers, tables and plots. It prints nothing; who
+//! waits for it is told through a callback how far it is, and may stop it.
+
+pub mod accuracy;
+mod drive;
+mod fit;
+mod measure;
+pub mod plot;
+mod sensitivity;
+pub mod stability;
+pub mod table;
+mod vary;
+
+pub use drive::{Drive, RunError, Watch, natural_time};
+pub use measure::{Results, measure};
+pub use sensitivity::{Sensitivity, sensitivity};
+pub use vary::{PATTERNS, one_ulp_off, vary};
+
+/// Who waits for a study: is told what it is at, and which part of it is done.
+pub type Tell<'a> = dyn FnMut(&str, f64) + 'a;

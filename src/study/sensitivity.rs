@@ -1,0 +1,66 @@
+//! What the last bit of the start does to the results: how many digits a case has.
+
+use super::drive::{Drive, RunError, Watch};
+use super::measure::{Results, measure};
+use super::vary::{PATTERNS, one_ulp_off};
+use crate::scene::Scene;
+
+/// Relative changes of a run's results when its start changes in the last bit.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Sensitivity {
+    /// Of ε_eff.
+    pub eps_eff: Option<f64>,
+    /// Of E_r/E_f.
+    pub er_over_ef: Option<f64>,
+    /// Of the paper's t_k.
+    pub contact_duration: Option<f64>,
+    /// Of the mean height of the centre of mass.
+    pub h_cm_mean: Option<f64>,
+    /// Of σ.
+    pub sigma: Option<f64>,
+}
+
+/// The largest changes over `patterns` of last bits, of [`PATTERNS`] at most.
+///
+/// # Errors
+/// As [`measure`].
+pub fn sensitivity(
+    scene: &Scene,
+    results: &Results,
+    patterns: usize,
+    watch: &mut Watch,
+) -> Result<Sensitivity, RunError> {
+    let mut found = Sensitivity::default();
+    for pattern in 0..patterns.min(PATTERNS) {
+        let mut look = |time| watch(time);
+        let mut drive = Drive::of(one_ulp_off(scene, pattern), scene, &mut look);
+        found.widen(results, &measure(scene, &mut drive)?);
+    }
+    Ok(found)
+}
+
+impl Sensitivity {
+    fn widen(&mut self, here: &Results, near: &Results) {
+        let widen = |known: &mut Option<f64>, here: Option<f64>, near: Option<f64>| {
+            let Some(here) = here else { return };
+            // A result that the other run does not have has no digits.
+            let change = near.map_or(1.0, |near| ((near - here) / here).abs());
+            let change = if change.is_nan() { 0.0 } else { change };
+            *known = Some(known.unwrap_or(f64::EPSILON).max(change));
+        };
+        widen(&mut self.eps_eff, here.eps_eff, near.eps_eff);
+        widen(&mut self.er_over_ef, here.er_over_ef, near.er_over_ef);
+        widen(
+            &mut self.contact_duration,
+            here.contact_duration,
+            near.contact_duration,
+        );
+        widen(&mut self.h_cm_mean, here.h_cm_mean, near.h_cm_mean);
+        widen(&mut self.sigma, here.sigma, near.sigma);
+    }
+
+    /// That of the run's main result: ε_eff, or the mean height.
+    pub fn main(&self) -> Option<f64> {
+        self.eps_eff.or(self.h_cm_mean)
+    }
+}

@@ -1,0 +1,69 @@
+//! Scenes that differ from another in a few things.
+
+use crate::physics::{self, Engine};
+use crate::scene::parameters::{self, Setting, Value, find};
+use crate::scene::{MethodName, Scene, SceneError};
+
+/// The scene under a method, with other values of parameters.
+///
+/// # Errors
+/// When the scene cannot have them.
+pub fn vary(
+    scene: &Scene,
+    method: Option<MethodName>,
+    values: &[(&'static str, Value)],
+) -> Result<Scene, SceneError> {
+    let varied = match method {
+        Some(name) => scene.with_method(name)?,
+        None => scene.clone(),
+    };
+    let mut facts = varied.facts().clone();
+    let layer: Vec<Setting> = values
+        .iter()
+        .filter_map(|&(name, value)| Some((find(name)?, value)))
+        .map(|(parameter, value)| Setting { parameter, value })
+        .collect();
+    parameters::apply(&mut facts, &layer)?;
+    Scene::new(facts)
+}
+
+/// Ways in which the last bits of a start can differ.
+pub const PATTERNS: usize = 3;
+
+/// The engine of a scene that differs in the last bit: of gravity, which a column at
+/// rest has no gaps to differ in from, or without it of the gaps at the start, or
+/// where there is none, of the velocities; up and down by turns, all up, or up in every
+/// third. What two right methods may differ by.
+pub fn one_ulp_off(scene: &Scene, pattern: usize) -> Box<dyn Engine> {
+    let up = |i: usize| match pattern {
+        0 => i.is_multiple_of(2),
+        1 => true,
+        _ => i.is_multiple_of(3),
+    };
+    let factor = |i: usize| {
+        if up(i) {
+            1.0 + f64::EPSILON
+        } else {
+            1.0 - f64::EPSILON
+        }
+    };
+    if let Some(gravity) = scene.gravity {
+        let bits = (pattern + 1) as f64;
+        let gravity = Value::Number(gravity * (1.0 + bits * f64::EPSILON));
+        if let Ok(off) = vary(scene, None, &[("gravity", gravity)]) {
+            return physics::build(&off, None).0;
+        }
+    }
+    let (engine, _) = physics::build(scene, None);
+    let mut state = engine.state();
+    let apart = state.gaps.iter().any(|&g| g != 0.0);
+    let numbers = if apart {
+        &mut state.gaps
+    } else {
+        &mut state.rates
+    };
+    for (i, x) in numbers.iter_mut().enumerate() {
+        *x *= factor(i);
+    }
+    physics::build(scene, Some(&state)).0
+}

@@ -1,0 +1,420 @@
+//! The run in the shadow of a soft column, seen through the channels of the simulation
+//! thread, the model and the screen. Most of these tests step a paused simulation, so
+//! that nothing depends on the machine's speed.
+
+#[path = "support/explorer.rs"]
+mod explorer;
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use beadlab::live::{self, Accuracy, Build, Distance, Frame, Live, Order, reference};
+use beadlab::physics::{self, Engine, EngineError, Handover, Observation, Outcome, State};
+use beadlab::scene::{Facts, Integrator, Method, MethodName, Scene, Solver, parameters};
+use beadlab::tui::model::Model;
+use beadlab::tui::update::{Command, Msg, update};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use explorer::{Act, COLOURS, load, play, preset, real, sweep, twins, type_text, until};
+
+/// Fig. 1(b) by another solver: ten beads meet a floor within 0.2 ms.
+fn fig1b(solver: Solver) -> Scene {
+    let mut facts: Facts = preset("fig1b").scene.facts().clone();
+    if let Method::Md { solver: own, .. } = &mut facts.method {
+        *own = solver;
+    }
+    Scene::new(facts).expect("the preset allows every solver of its law")
+}
+
+fn coarse_verlet() -> Scene {
+    fig1b(Solver::Grid {
+        integrator: Integrator::Verlet,
+        steps_per_contact: 20.0,
+    })
+}
+
+fn send(live: &Live, order: Order) {
+    live.orders
+        .send(order)
+        .expect("the simulation thread listens");
+}
+
+fn follows(frame: &Frame) -> Option<(f64, Distance)> {
+    match frame.sides.first()?.accuracy {
+        Some(Accuracy::Follows {
+            since,
+            distance: Some(distance),
+        }) => Some((since, distance)),
+        _ => None,
+    }
+}
+
+fn is_given_up(frame: &Frame) -> bool {
+    matches!(frame.sides[0].accuracy, Some(Accuracy::GivenUp(_)))
+}
+
+/// Steps a paused simulation to `time`; the distance there.
+fn step_to(live: &Live, from: f64, time: f64) -> Distance {
+    send(live, Order::Step(time - from));
+    let frame = until(live, |frame| {
+        let compared = follows(frame).map(|(_, distance)| distance.time);
+        frame.time >= time * (1.0 - 1e-12) && compared == Some(frame.sides[0].seen.time)
+    });
+    follows(&frame).expect("just seen").1
+}
+
+/// A column in the midst of its collision, paused, and a shadow that starts there.
+fn in_the_midst(scene: Scene, build: Build) -> Live {
+    let live = live::spawn(build).expect("threads are to be had");
+    load(&live, vec![scene], sweep(3e-4, false), 1e-5, false);
+    send(&live, Order::Step(3e-5));
+    until(&live, |frame| frame.time >= 3e-5);
+    send(&live, Order::Shadow(true));
+    live
+}
+
+/// What comes of the real engines, and how many engines to be exact there are now and
+/// were in all. They never get anywhere where they are `stuck`.
+fn counted(stuck: bool) -> (Build, [Arc<AtomicUsize>; 2]) {
+    let counts: [Arc<AtomicUsize>; 2] = Default::default();
+    let [now, ever] = counts.clone();
+    let build = move |scene: &Scene, from: Option<&State>| -> (Box<dyn Engine>, Handover) {
+        let (engine, handover) = physics::build(scene, from);
+        if scene.method.name() != MethodName::Exact {
+            return (engine, handover);
+        }
+        now.fetch_add(1, Ordering::SeqCst);
+        ever.fetch_add(1, Ordering::SeqCst);
+        let now = now.clone();
+        (Box::new(Counted { engine, now, stuck }), handover)
+    };
+    (Box::new(build), counts)
+}
+
+struct Counted {
+    engine: Box<dyn Engine>,
+    now: Arc<AtomicUsize>,
+    stuck: bool,
+}
+
+impl Drop for Counted {
+    fn drop(&mut self) {
+        self.now.fetch_sub(1, Ordering::SeqCst);
+    }
+}
+
+impl Engine for Counted {
+    fn time(&self) -> f64 {
+        self.engine.time()
+    }
+
+    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+        if self.stuck {
+            return Ok(Outcome::OutOfBudget);
+        }
+        self.engine.advance(until, budget)
+    }
+
+    fn is_over(&self) -> bool {
+        self.engine.is_over()
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        self.engine.next_event()
+    }
+
+    fn observe(&self, into: &mut Observation) {
+        self.engine.observe(into);
+    }
+
+    fn state(&self) -> State {
+        self.engine.state()
+    }
+}
+
+#[test]
+fn a_coarse_grid_strays_and_an_exact_column_does_not() {
+    let live = in_the_midst(coarse_verlet(), real());
+    let times = [3e-5, 5e-5, 1e-4, 2e-4, 4e-4];
+    let strayed: Vec<Distance> = times
+        .windows(2)
+        .map(|pair| step_to(&live, pair[0], pair[1]))
+        .collect();
+    // Twenty steps a contact are off by (π/20)²/24 = 1e-3 of the motion, which is 1e-6 m.
+    assert!(strayed[0].height > 1e-11, "{strayed:?}");
+    // After the collision it is off by its velocities, and so ever more.
+    assert!(strayed[3].height > 1.5 * strayed[2].height, "{strayed:?}");
+    assert!(strayed[3].height < 1e-5, "{strayed:?}");
+    assert!(
+        strayed[3].energy > 1e-6 && strayed[3].energy < 0.1,
+        "{strayed:?}"
+    );
+    let live = in_the_midst(fig1b(Solver::Exact), real());
+    for pair in times.windows(2) {
+        let distance = step_to(&live, pair[0], pair[1]);
+        // Rounding of heights of 1e-4 m, 1e-20 m, and what ten contacts make of it.
+        assert!(
+            distance.height < 1e-17 && distance.energy < 1e-11,
+            "{distance:?}"
+        );
+    }
+}
+
+#[test]
+fn what_cannot_keep_up_is_given_up_until_it_is_asked_for_again() {
+    let (build, _) = counted(true);
+    let live = in_the_midst(coarse_verlet(), build);
+    // Half a second of the clock's time is far ahead of a run that does not move.
+    send(&live, Order::Step(5e-5));
+    let frame = until(&live, is_given_up);
+    assert!(frame.time >= 8e-5 * (1.0 - 1e-12), "the column went on");
+    // An edit does not bring it back.
+    let orders = frame.orders;
+    send(
+        &live,
+        Order::Edit {
+            scenes: vec![coarse_verlet()],
+            from: vec![0],
+        },
+    );
+    assert!(is_given_up(&until(&live, |frame| frame.orders > orders)));
+    send(&live, Order::Shadow(true));
+    until(&live, |frame| follows(frame).is_some());
+    send(&live, Order::Step(5e-5));
+    until(&live, is_given_up);
+}
+
+#[test]
+fn a_shadow_that_stops_says_why_and_the_column_goes_on() {
+    let mut build = explorer::faulty(explorer::Fault::Errs, 6e-5);
+    let mixed: Build = Box::new(move |scene, from| {
+        if scene.method.name() == MethodName::Exact {
+            build(scene, from)
+        } else {
+            physics::build(scene, from)
+        }
+    });
+    let live = in_the_midst(coarse_verlet(), mixed);
+    send(&live, Order::Step(5e-5));
+    let frame = until(&live, is_given_up);
+    let why = &frame.sides[0].accuracy;
+    assert!(
+        matches!(why, Some(Accuracy::GivenUp(why)) if why.contains("unstable")),
+        "{why:?}"
+    );
+    assert_eq!(frame.sides[0].status, live::Status::Running);
+}
+
+#[test]
+fn an_edit_starts_it_again() {
+    let live = in_the_midst(coarse_verlet(), real());
+    step_to(&live, 3e-5, 8e-5);
+    let row = parameters::find("restitution").expect("there is one");
+    let value = parameters::Value::Number(0.8);
+    let edited = parameters::edit(&coarse_verlet(), row, value).expect("0.8 is allowed");
+    send(
+        &live,
+        Order::Edit {
+            scenes: vec![edited],
+            from: vec![0],
+        },
+    );
+    let frame = until(&live, |frame| !frame.notes.is_empty());
+    assert!(frame.notes[0].contains("starts again"), "{:?}", frame.notes);
+    let frame = until(&live, |frame| follows(frame).is_some());
+    let (since, distance) = follows(&frame).expect("just seen");
+    // The grid's last point before 8e-5 s.
+    assert!((since - 8e-5).abs() < 4e-7, "{since}");
+    assert_eq!((distance.height, distance.energy), (0.0, 0.0));
+}
+
+#[test]
+fn pause_freezes_it_and_off_is_off() {
+    let (build, [now, ever]) = counted(false);
+    let live = live::spawn(build).expect("threads are to be had");
+    load(&live, twins("shaken"), sweep(0.3, false), 0.05, true);
+    let frame = until(&live, |frame| frame.time > 0.01);
+    assert!(frame.sides.iter().all(|side| side.accuracy.is_none()));
+    assert_eq!(ever.load(Ordering::SeqCst), 0);
+
+    send(&live, Order::Shadow(true));
+    let frame = until(&live, |frame| follows(frame).is_some());
+    assert!(frame.sides[1].accuracy.is_none(), "hard spheres have none");
+    assert_eq!(now.load(Ordering::SeqCst), 1);
+    send(&live, Order::Run(false));
+    until(&live, |frame| {
+        let compared = follows(frame).map(|(_, distance)| distance.time);
+        frame.paused && compared == Some(frame.sides[0].seen.time)
+    });
+    let quiet = Duration::from_millis(300);
+    assert!(live.frames.recv_timeout(quiet).is_err());
+
+    send(&live, Order::Shadow(false));
+    let frame = until(&live, |frame| frame.sides[0].accuracy.is_none());
+    assert!(frame.paused);
+    assert_eq!(now.load(Ordering::SeqCst), 0);
+    send(&live, Order::Run(true));
+    let later = until(&live, |later| later.time > frame.time + 0.005);
+    assert!(later.history.iter().all(|sample| {
+        sample.time <= frame.time || sample.rows.iter().flatten().all(|row| row.error.is_none())
+    }));
+    assert_eq!(ever.load(Ordering::SeqCst), 1);
+}
+
+#[test]
+fn power_laws_are_held_against_a_tighter_tolerance() {
+    let tolerance = |scene: &Scene| match scene.method {
+        Method::Md {
+            solver: Solver::Adaptive { tolerance },
+            ..
+        } => tolerance,
+        _ => f64::NAN,
+    };
+    let scene = preset("fig3-hertz").scene;
+    let tighter = reference(&scene).expect("there is a tighter one");
+    assert!(tolerance(&tighter) <= 0.01 * tolerance(&scene));
+    let grid = scene.with_method(MethodName::Gear).expect("Gear has laws");
+    assert!(tolerance(&reference(&grid).expect("a grid has one")) <= 1e-12);
+    let least = reference(&reference(&tighter).expect("tighter still"));
+    assert!(reference(&least.expect("the least")).is_err());
+    let hard = scene.with_method(MethodName::Ed).expect("it can be hard");
+    assert!(reference(&hard).is_err());
+}
+
+fn press(model: &mut Model, keys: &str) -> Option<Command> {
+    let press = |c: char| {
+        let code = if c == '\n' {
+            KeyCode::Enter
+        } else {
+            KeyCode::Char(c)
+        };
+        let key = KeyEvent::new(code, KeyModifiers::NONE);
+        update(model, Msg::Key(key), Instant::now())
+    };
+    keys.chars().map(press).last().flatten()
+}
+
+fn shadow(command: Option<Command>) -> Option<bool> {
+    match command {
+        Some(Command::Order(Order::Shadow(on))) => Some(on),
+        _ => None,
+    }
+}
+
+#[test]
+fn the_key_asks_and_hard_spheres_say_why_not() {
+    let (mut model, _) =
+        Model::new(preset("shaken"), None, COLOURS, (80, 24)).expect("it has a twin");
+    assert!(model.notices().is_empty());
+    let command = press(&mut model, "x");
+    assert_eq!(shadow(command), Some(true));
+    let message = model.message.as_ref().expect("the twin has none");
+    assert!(message.text.contains("hard spheres") && !message.alarm);
+    assert_eq!(model.notices().len(), 1);
+    let command = press(&mut model, "x");
+    assert_eq!(shadow(command), Some(false));
+    assert!(model.notices().is_empty() && model.message.is_none());
+    // Hard spheres on both sides.
+    press(&mut model, "mmm");
+    let command = press(&mut model, "x");
+    assert_eq!(shadow(command), Some(false));
+    let message = model.message.as_ref().expect("the reason is told");
+    assert!(message.alarm && message.text.contains("hard spheres"));
+}
+
+#[test]
+fn the_methods_come_round_with_their_numbers() {
+    let (mut model, _) =
+        Model::new(preset("shaken"), None, COLOURS, (80, 24)).expect("it has a twin");
+    let name = |model: &Model| model.bench.scenes()[0].method.name();
+    press(&mut model, ":steps_per_contact=37\n");
+    let own = model.bench.scenes()[0].method;
+    for next in [MethodName::Verlet, MethodName::Exact, MethodName::Ed] {
+        press(&mut model, "m");
+        assert_eq!(name(&model), next);
+    }
+    press(&mut model, "m");
+    assert_eq!(model.bench.scenes()[0].method, own);
+
+    let hertz = preset("fig3-hertz");
+    let (mut model, _) = Model::new(hertz, None, COLOURS, (80, 24)).expect("it has a twin");
+    press(&mut model, ":tolerance=1e-7\n");
+    let own = model.bench.scenes()[0].clone();
+    for next in [
+        MethodName::Ed,
+        MethodName::Gear,
+        MethodName::Verlet,
+        MethodName::Exact,
+    ] {
+        press(&mut model, "m");
+        assert_eq!(name(&model), next);
+        assert!((model.bench.scenes()[0].restitution / own.restitution - 1.0).abs() < 1e-12);
+    }
+    assert_eq!(model.bench.scenes()[0], own);
+    // The hard twin has the restitution at the scene's own speed.
+    press(&mut model, ":v0=-0.5\n");
+    let scenes = model.bench.scenes();
+    assert!(scenes[0].restitution != own.restitution);
+    assert_eq!(
+        scenes[0].restitution.to_bits(),
+        scenes[1].restitution.to_bits()
+    );
+}
+
+/// What the screen shows at the end of a script of keys, half a second after each.
+fn screen(name: &str, size: (u16, u16), keys: &[&str]) -> String {
+    let mut script = vec![Act::Wait(300)];
+    for word in keys {
+        script.extend(type_text(word));
+        if word.starts_with(':') {
+            script.push(Act::Key(KeyCode::Enter));
+        }
+        script.push(Act::Wait(600));
+    }
+    play(name, COLOURS, size, real(), script).join("\n")
+}
+
+#[test]
+fn the_error_is_on_the_screen_while_it_is_asked_for() {
+    for size in [(80, 24), (60, 18), (40, 12)] {
+        let shown = screen("shaken", size, &["x"]);
+        assert!(shown.contains("exact by"), "{size:?}\n{shown}");
+    }
+    let shown = screen("shaken", (80, 24), &["x", "x"]);
+    assert!(!shown.contains("exact by"), "{shown}");
+    let shown = screen("shaken", (120, 40), &["x"]);
+    assert!(
+        shown.contains(" error/d ") && shown.contains("1e-18"),
+        "{shown}"
+    );
+    let shown = screen("fig3-hertz", (80, 24), &["x"]);
+    assert!(shown.contains("tolerance 1e-12 by"), "{shown}");
+}
+
+#[test]
+fn too_few_steps_are_warned_of_until_they_are_enough() {
+    let coarse = ["m", ":steps_per_contact=3"];
+    let warned = screen("shaken", (80, 24), &coarse);
+    assert!(
+        warned.contains("unstable: closed contacts need steps_per_contact of at least 4"),
+        "{warned}"
+    );
+    let mended = screen("shaken", (80, 24), &[coarse[0], coarse[1], "u"]);
+    assert!(!mended.contains("unstable"), "{mended}");
+    // Where there is no room for a row of its own it is the line of the moment.
+    let low = screen("shaken", (60, 9), &coarse);
+    assert!(low.contains("unstable"), "{low}");
+}
+
+#[test]
+fn titles_name_the_method_and_screens_the_law() {
+    let shown = screen("fig3-hertz", (80, 24), &[]);
+    assert!(
+        shown.contains("adaptive, 1e-10") && shown.contains("N 10  hertz"),
+        "{shown}"
+    );
+    let shown = screen("fig3-hkk", (200, 60), &["m", "m", "m"]);
+    assert!(shown.contains("Verlet, t_c/100, Hertz-KK"), "{shown}");
+    let shown = screen("shaken", (80, 24), &["m", "m"]);
+    assert!(shown.contains("MD  exact"), "{shown}");
+}
