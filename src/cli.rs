@@ -47,6 +47,26 @@ Examples:
   beadlab stability --budget 10          more time for what is slow
   beadlab stability --format json        every verdict in full";
 
+const SWEEP_EXAMPLES: &str = "\
+Examples:
+  beadlab sweep fig1b --over contact_time=1e-6:1e-3:log:30 --out tc.csv
+  beadlab sweep fig1b --over restitution=0.5:0.99:20 --over n=1,2,5,10,20 \\
+      --method exact --out map.csv
+  beadlab sweep fig1b --over v0=-14:-0.008:log:40 --out v0.csv --resume
+
+Ranges: NAME=START:END:COUNT, both ends included; NAME=START:END:log:COUNT; or a
+list NAME=A,B,C. Of several, the last runs fastest. Whole numbers are rounded, and
+those that fall together are taken once. Parameters as for `beadlab run --help`.
+
+The file is CSV after lines that begin with #: what was swept, the whole scene, units.
+A row is on disk as soon as it and all before it are done, in any number of jobs the
+same bytes. After a kill the same command with --resume goes on where it ended. What
+a scene does not have is an empty cell; a run that fails leaves its results empty
+and its reason in the column `note`.
+
+Exit codes: 0 done, 1 a run failed or the file cannot be written, 2 bad input,
+130 or 143 ended by Ctrl-C or TERM.";
+
 const PRESET_EXAMPLES: &str = "\
 A scene of your own:
   beadlab presets show fig5b > my-column.toml
@@ -82,6 +102,9 @@ pub enum Command {
     /// Where each method breaks: stiff and extreme cases, and the largest stable step
     #[command(after_help = STABILITY_EXAMPLES)]
     Stability(StabilityArgs),
+    /// Measure a scene at every point of a product of ranges, into a CSV file
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(SweepArgs),
     /// List the presets, show one as TOML, or check files of your own
     #[command(after_help = PRESET_EXAMPLES)]
     Presets {
@@ -181,6 +204,47 @@ pub struct StabilityArgs {
     /// How it is reported.
     #[command(flatten)]
     pub report: ReportArgs,
+}
+
+/// Arguments of `beadlab sweep`.
+#[derive(Debug, Args)]
+pub struct SweepArgs {
+    /// A preset's name, or a TOML file
+    #[arg(value_name = "PRESET|FILE.toml")]
+    pub preset: String,
+
+    /// Vary a parameter, SI units (repeatable)
+    #[arg(
+        long = "over",
+        value_name = "NAME=RANGE",
+        required = true,
+        allow_hyphen_values = true
+    )]
+    pub over: Vec<String>,
+
+    /// Change a parameter, SI units (repeatable; `beadlab run --help` lists them)
+    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub settings: Vec<String>,
+
+    /// How the beads are moved
+    #[arg(long, value_enum)]
+    pub method: Option<MethodName>,
+
+    /// Where the rows go
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: PathBuf,
+
+    /// Go on with a file that the same sweep began
+    #[arg(long, conflicts_with = "overwrite")]
+    pub resume: bool,
+
+    /// Begin again, whatever is in the file
+    #[arg(long)]
+    pub overwrite: bool,
+
+    /// Runs at the same time; as many as there are cores where nobody says otherwise
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
 }
 
 /// How a study is reported.

@@ -8,6 +8,7 @@ mod progress;
 mod report;
 pub mod run;
 pub mod stability;
+pub mod sweep;
 mod usage;
 
 use crate::cli::{Cli, Command};
@@ -28,6 +29,8 @@ pub enum Failure {
     BadInput(String),
     /// The input is right, but the run failed; one line.
     Failed(String),
+    /// A signal ended it; one line, and the signal's number.
+    Interrupted(String, u8),
 }
 
 impl From<RunError> for Failure {
@@ -45,6 +48,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             let (message, code) = match failure {
                 Failure::Failed(message) => (message, 1),
                 Failure::BadInput(message) => (message, 2),
+                Failure::Interrupted(message, signal) => (message, 128 + signal),
             };
             for line in message.lines() {
                 // Nobody may be listening any more, and that is no reason to panic.
@@ -64,6 +68,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
         Some(Command::Run(args)) => run::run(&args),
         Some(Command::Accuracy(args)) => accuracy::run(&args),
         Some(Command::Stability(args)) => stability::run(&args),
+        Some(Command::Sweep(args)) => sweep::run(&args),
         Some(Command::Presets { action }) => presets::presets(action.as_ref()),
         None => {
             let args = cli.explore;
@@ -80,10 +85,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
 /// The preset or file of that name, with the method and settings of the command line.
 fn load(name: &str, method: Option<MethodName>, settings: &[String]) -> Result<Preset, Failure> {
     let preset = Preset::load(name).map_err(bad_input)?;
-    let layer = settings
-        .iter()
-        .map(|text| setting(text))
-        .collect::<Result<Vec<_>, _>>()?;
+    let layer = layer(settings)?;
     preset.with(method, &layer).map_err(|error| {
         let of = |text: &&String| text.split('=').next().map(str::trim) == Some(error.parameter());
         let written = settings
@@ -95,6 +97,11 @@ fn load(name: &str, method: Option<MethodName>, settings: &[String]) -> Result<P
             None => error,
         })
     })
+}
+
+/// All `--set name=value`.
+fn layer(settings: &[String]) -> Result<Vec<Setting>, Failure> {
+    settings.iter().map(|text| setting(text)).collect()
 }
 
 /// One `--set name=value`.

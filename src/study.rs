@@ -10,6 +10,7 @@ mod measure;
 pub mod plot;
 mod sensitivity;
 pub mod stability;
+pub mod sweep;
 pub mod table;
 mod vary;
 

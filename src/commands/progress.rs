@@ -106,3 +106,40 @@ impl Drop for Waiting {
         }
     }
 }
+
+/// A bar on standard error that counts rows, if that is a terminal; rows are counted
+/// from any thread.
+pub(in crate::commands) struct RowsDone(Option<ProgressBar>);
+
+impl RowsDone {
+    /// So many of `all` are done already, and say nothing about the time left.
+    pub fn new(done: usize, all: usize) -> Self {
+        let wanted = io::stderr().is_terminal() && done < all;
+        Self(wanted.then(|| {
+            let style = ProgressStyle::with_template("{bar:30} {pos}/{len} rows  {eta} left")
+                .unwrap_or_else(|_| ProgressStyle::default_bar())
+                .progress_chars("##-");
+            let target = ProgressDrawTarget::stderr();
+            let bar = ProgressBar::with_draw_target(Some(all as u64), target).with_style(style);
+            bar.set_position(done as u64);
+            bar.reset_eta();
+            bar.enable_steady_tick(PATIENCE);
+            bar
+        }))
+    }
+
+    /// One more is done.
+    pub fn one_more(&self) {
+        if let Some(bar) = &self.0 {
+            bar.inc(1);
+        }
+    }
+}
+
+impl Drop for RowsDone {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.0 {
+            bar.finish_and_clear();
+        }
+    }
+}

@@ -189,7 +189,7 @@ impl Parameter {
     }
 
     /// The error of a value, as it was written, that is not allowed.
-    pub(in crate::scene) fn refuse(&self, written: &str) -> SceneError {
+    pub(crate) fn refuse(&self, written: &str) -> SceneError {
         SceneError::Invalid {
             name: self.name,
             value: written.to_owned(),

@@ -1,0 +1,215 @@
+//! The lines of a sweep's file: what was swept, and a row for each point.
+
+use crate::cli::SweepArgs;
+use crate::scene::Scene;
+use crate::scene::parameters::{self, Value};
+use crate::scene::words::one_line;
+use crate::study::sweep::Sweep;
+use crate::study::{Results, RunError};
+use std::fmt::Write;
+
+/// What is measured, with units, in the order of the columns.
+const MEASURED: [(&str, &str); 10] = [
+    ("eps_eff", ""),
+    ("er_over_ef", ""),
+    ("contact_duration", "s"),
+    ("h_cm_mean", "m"),
+    ("h_cm_error", "m"),
+    ("sigma", ""),
+    ("energy_drift", ""),
+    ("events", ""),
+    ("steps", ""),
+    ("sim_time", "s"),
+];
+
+/// A ledger that is off by more belongs to a run that has lost its physics.
+const UNTRUSTED: f64 = 0.1;
+
+/// What became of one point.
+pub(super) struct Row {
+    results: Option<Cells>,
+    note: String,
+}
+
+type Cells = [String; MEASURED.len()];
+
+impl Row {
+    /// Of the run of a scene. Results that are no numbers are as good as none.
+    pub fn of(scene: &Scene, outcome: Result<Results, RunError>) -> Self {
+        let failed = |note: String| Self {
+            results: None,
+            note,
+        };
+        let results = match outcome {
+            Ok(results) => results,
+            Err(error) => return failed(one_line(&error.to_string())),
+        };
+        let numbers = [
+            results.eps_eff,
+            results.er_over_ef,
+            results.contact_duration,
+            results.h_cm_mean,
+            results.h_cm_error,
+            results.sigma,
+            Some(results.energy_drift),
+            None,
+            None,
+            Some(results.sim_time),
+        ];
+        for (x, (name, _)) in numbers.iter().zip(MEASURED) {
+            if x.is_some_and(|x| !x.is_finite()) {
+                return failed(format!("{name} is not a finite number"));
+            }
+        }
+        let mut cells = numbers.map(|x| x.map_or_else(String::new, number));
+        let soft = scene.is_md();
+        let counted = |is: bool, count: u64| if is { count.to_string() } else { String::new() };
+        cells[7] = counted(!soft, results.events);
+        cells[8] = counted(soft, results.steps);
+        Self {
+            results: Some(cells),
+            note: remarks(&results),
+        }
+    }
+
+    /// Whether the run has no results.
+    pub fn failed(&self) -> bool {
+        self.results.is_none()
+    }
+}
+
+/// What a reader of the row should know.
+fn remarks(results: &Results) -> String {
+    let mut remarks = Vec::new();
+    if results.h_cm_mean.is_none() && results.eps_eff.is_none() {
+        remarks.push("the floor collision is not over".to_owned());
+    }
+    if results.energy_drift.abs() > UNTRUSTED {
+        let percent = 100.0 * results.energy_drift.abs();
+        remarks.push(format!("the energy ledger is off by {percent:.0} %"));
+    }
+    remarks.join("; ")
+}
+
+fn number(x: f64) -> String {
+    Value::Number(x).to_string()
+}
+
+/// How the lines of one sweep look.
+pub(super) struct Format {
+    header: String,
+}
+
+impl Format {
+    /// Of a sweep of those arguments. The header is the same exactly when the rows are.
+    pub fn of(sweep: &Sweep, args: &SweepArgs) -> Self {
+        let names: Vec<&str> = sweep
+            .axes()
+            .iter()
+            .map(|axis| axis.parameter.name)
+            .collect();
+        let scene = sweep.scene(0);
+        let version = env!("CARGO_PKG_VERSION");
+        let mut lines = vec![
+            format!("beadlab {version} sweep"),
+            format!("preset: {}", one_line(&args.preset)),
+            format!("method: {}", scene.method.name().as_str()),
+        ];
+        if !args.settings.is_empty() {
+            let settings: Vec<String> = args.settings.iter().map(|text| one_line(text)).collect();
+            lines.push(format!("set: {}", settings.join(", ")));
+        }
+        for axis in sweep.axes() {
+            let count = axis.values.len();
+            lines.push(format!("over: {} ({count} values)", axis.written));
+        }
+        lines.push(format!("rows: {}, the last range fastest", sweep.rows()));
+        lines.push(format!("scene: {}", facts(&scene, &names)));
+        let seed = scene.seed;
+        lines.push(if names.contains(&"seed") {
+            "seed: swept".to_owned()
+        } else {
+            format!("seed: {seed}")
+        });
+        let swept = sweep
+            .axes()
+            .iter()
+            .map(|axis| (axis.parameter.name, axis.parameter.unit));
+        let units: Vec<String> = swept
+            .chain(MEASURED)
+            .filter(|(_, unit)| !unit.is_empty())
+            .map(|(name, unit)| format!("{name} {unit}"))
+            .collect();
+        lines.push(format!(
+            "units: {}; all others are pure numbers",
+            units.join(", ")
+        ));
+        let mut header = String::new();
+        for line in lines {
+            // A String takes everything.
+            let _ = writeln!(header, "# {line}");
+        }
+        let measured = MEASURED.iter().map(|(name, _)| *name);
+        let columns: Vec<&str> = names
+            .iter()
+            .copied()
+            .chain(measured)
+            .chain(["note"])
+            .collect();
+        header.push_str(&columns.join(","));
+        header.push('\n');
+        Self { header }
+    }
+
+    /// The lines before the first row.
+    pub fn header(&self) -> &str {
+        &self.header
+    }
+
+    /// The line of a row, its end included.
+    pub fn line(values: &[Value], row: &Row) -> String {
+        let mut line = start(values);
+        let cells = row.results.clone().unwrap_or_default();
+        for cell in &cells {
+            line.push_str(cell);
+            line.push(',');
+        }
+        line.push_str(&quoted(&row.note));
+        line.push('\n');
+        line
+    }
+
+    /// Whether a line, without its end, is the row of these values; and if so, whether
+    /// that has results.
+    pub fn recognise(line: &str, values: &[Value]) -> Option<bool> {
+        let rest = line.strip_prefix(&start(values))?;
+        let cells: Vec<&str> = rest.splitn(MEASURED.len() + 1, ',').collect();
+        let whole = cells.len() == MEASURED.len() + 1;
+        whole.then(|| !cells[MEASURED.len() - 1].is_empty())
+    }
+}
+
+/// The cells of the swept parameters.
+fn start(values: &[Value]) -> String {
+    values.iter().map(|value| format!("{value},")).collect()
+}
+
+/// The facts of the first row that are not swept.
+fn facts(scene: &Scene, swept: &[&str]) -> String {
+    let known: Vec<String> = parameters::table()
+        .iter()
+        .filter(|parameter| !swept.contains(&parameter.name))
+        .filter_map(|parameter| Some((parameter.name, (parameter.get)(scene)?)))
+        .map(|(name, value)| format!("{name}={value}"))
+        .collect();
+    known.join(" ")
+}
+
+/// A cell of free text.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
