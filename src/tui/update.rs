@@ -232,7 +232,7 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             let change = model.bench.toggle_twin();
             changed_or_said(model, change, now)
         }
-        Action::Shadow => toggle_shadow(model, now),
+        Action::Shadow => Some(toggle_shadow(model, now)),
         Action::Presets => {
             model.overlay = Overlay::Presets(Menu::open(&model.preset.name));
             None
@@ -287,7 +287,7 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
 }
 
 /// Exact runs in the shadow of soft columns, on or off; on again where one was given up.
-fn toggle_shadow(model: &mut Model, now: Instant) -> Option<Command> {
+fn toggle_shadow(model: &mut Model, now: Instant) -> Command {
     let checks = model.bench.checks();
     let refused = checks
         .iter()
@@ -300,7 +300,7 @@ fn toggle_shadow(model: &mut Model, now: Instant) -> Option<Command> {
         let whose = if none { "no error" } else { "MD only" };
         model.say(format!("{whose}: {why}"), none, now);
     }
-    Some(Command::Order(Order::Shadow(model.shadow)))
+    Command::Order(Order::Shadow(model.shadow))
 }
 
 fn nudge(

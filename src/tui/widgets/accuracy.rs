@@ -9,7 +9,7 @@ use super::raster::Raster;
 use super::rules;
 use super::text::{columns, fitted, line};
 use super::trace::clear;
-use crate::live::Accuracy;
+use crate::live::{Accuracy, Status};
 use crate::scene::{Method, Solver};
 use crate::tui::model::{Model, Notice};
 use crate::tui::numbers::{clock, scientific, short, with_unit};
@@ -72,6 +72,12 @@ fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
         _ => return (Vec::new(), theme.quiet()),
     };
     let shown = model.numbers.sides.get(side);
+    if shown.is_some_and(|side| matches!(side.status, Status::Failed(_))) {
+        return (
+            vec!["no error: the column has stopped".to_owned()],
+            theme.quiet(),
+        );
+    }
     match shown.and_then(|side| side.accuracy.as_ref()) {
         Some(Accuracy::GivenUp(why)) => (
             vec![
