@@ -65,6 +65,15 @@ pub enum EngineError {
         /// The last step, s.
         step: f64,
     },
+    /// Strongly damped contacts that let go ever more slowly, and never to an end.
+    #[error(
+        "the contacts only creep from t = {time:.6e} s on: with so much damping they never \
+         let go, and the collision never ends"
+    )]
+    Creeping {
+        /// When it was noticed, s.
+        time: f64,
+    },
     /// Hard spheres produced a state that cannot be.
     #[error("the event engine lost the column at t = {time:.6e} s, bead {bead}: {what}")]
     Lost {
@@ -75,6 +84,19 @@ pub enum EngineError {
         /// What was found.
         what: &'static str,
     },
+}
+
+impl EngineError {
+    /// When the engine could not go on, s.
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Unstable { time, .. }
+            | Self::BeyondTime { time, .. }
+            | Self::Stuck { time, .. }
+            | Self::Creeping { time, .. }
+            | Self::Lost { time, .. } => *time,
+        }
+    }
 }
 
 /// How an [`Engine::advance`] ended.

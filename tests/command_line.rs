@@ -10,10 +10,14 @@ use std::process::{Command, Output, Stdio};
 use program::{beadlab, failed, json, printed};
 
 /// The names of DESIGN, in its order.
-const FIELDS: [&str; 21] = [
+const FIELDS: [&str; 27] = [
     "preset",
     "method",
     "law",
+    "beta",
+    "gamma",
+    "stiffness",
+    "damping",
     "n",
     "restitution",
     "floor_restitution",
@@ -25,14 +29,19 @@ const FIELDS: [&str; 21] = [
     "er_over_ef",
     "contact_duration",
     "h_cm_mean",
+    "h_cm_error",
     "sigma",
     "energy_drift",
+    "sensitivity",
     "events",
     "steps",
     "sim_time",
     "wall_time",
     "speed",
 ];
+
+/// What only power laws have.
+const POWER: [&str; 4] = ["beta", "gamma", "stiffness", "damping"];
 
 /// Two steps in a contact are beyond the stability of Gear's method.
 const UNSTABLE: [&str; 6] = [
@@ -100,11 +109,13 @@ fn json_has_what_the_scene_has_and_nothing_else() {
         let object = json(&arguments);
         let object = object.as_object().expect("an object");
         for field in FIELDS {
-            assert_eq!(
-                object.contains_key(field),
-                !absent.contains(&field),
-                "{preset}: {field}"
-            );
+            // The mean of a height has a standard error, a collision a sensitivity.
+            let lacks = match field {
+                "h_cm_error" => absent.contains(&"h_cm_mean"),
+                "sensitivity" => absent.contains(&"eps_eff"),
+                _ => absent.contains(&field) || POWER.contains(&field),
+            };
+            assert_eq!(object.contains_key(field), !lacks, "{preset}: {field}");
         }
         assert!(
             object.keys().all(|key| FIELDS.contains(&key.as_str())),
@@ -317,11 +328,30 @@ fn the_motion_of_a_shaken_column_lasts_for_its_duration() {
 }
 
 #[test]
+fn a_power_law_is_printed_with_its_constants() {
+    let object = json(&["fig3-hertz", "--set", "n=2"]);
+    for (field, value) in [
+        ("beta", 0.5),
+        ("gamma", 0.0),
+        ("stiffness", 2e12),
+        ("damping", 2e3),
+    ] {
+        assert_eq!(object[field].as_f64(), Some(value), "{field}");
+    }
+    assert_eq!(object["law"], "hertz");
+    // Those of a pair at the scene's own speed.
+    let contact_time = object["contact_time"].as_f64().expect("a number");
+    assert!((contact_time - 7.04e-5).abs() < 1e-7, "{contact_time}");
+    let restitution = object["restitution"].as_f64().expect("a number");
+    assert!((restitution - 0.853).abs() < 1e-3, "{restitution}");
+}
+
+#[test]
 fn csv_without_an_interval_is_one_row_of_the_same_fields() {
     let (header, rows) = table(&printed(&["run", "fig1e", "--format", "csv"]));
     assert_eq!(
         header,
-        FIELDS[..19],
+        FIELDS[..25],
         "wall_time and speed measure the machine"
     );
     assert_eq!(rows.len(), 1);

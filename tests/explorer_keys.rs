@@ -157,7 +157,12 @@ fn what_acts_from_the_start_restarts() {
 fn m_goes_round_the_methods_and_keeps_the_contact_time() {
     let mut model = model("shaken");
     let name = |model: &Model| model.bench.scenes()[0].method.name();
-    for expected in [MethodName::Verlet, MethodName::Ed, MethodName::Gear] {
+    for expected in [
+        MethodName::Verlet,
+        MethodName::Exact,
+        MethodName::Ed,
+        MethodName::Gear,
+    ] {
         assert!(edited(type_keys(&mut model, "m")));
         assert_eq!(name(&model), expected);
     }

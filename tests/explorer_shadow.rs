@@ -301,7 +301,7 @@ fn press(model: &mut Model, keys: &str) -> Option<Command> {
     keys.chars().map(press).last().flatten()
 }
 
-fn shadow(command: &Option<Command>) -> Option<bool> {
+fn shadow(command: Option<&Command>) -> Option<bool> {
     match command {
         Some(Command::Order(Order::Shadow(on))) => Some(*on),
         _ => None,
@@ -314,17 +314,17 @@ fn the_key_asks_and_hard_spheres_say_why_not() {
         Model::new(preset("shaken"), None, COLOURS, (80, 24)).expect("it has a twin");
     assert!(model.notices().is_empty());
     let command = press(&mut model, "x");
-    assert_eq!(shadow(&command), Some(true));
+    assert_eq!(shadow(command.as_ref()), Some(true));
     let message = model.message.as_ref().expect("the twin has none");
     assert!(message.text.contains("hard spheres") && !message.alarm);
     assert_eq!(model.notices().len(), 1);
     let command = press(&mut model, "x");
-    assert_eq!(shadow(&command), Some(false));
+    assert_eq!(shadow(command.as_ref()), Some(false));
     assert!(model.notices().is_empty() && model.message.is_none());
     // Hard spheres on both sides.
     press(&mut model, "mmm");
     let command = press(&mut model, "x");
-    assert_eq!(shadow(&command), Some(false));
+    assert_eq!(shadow(command.as_ref()), Some(false));
     let message = model.message.as_ref().expect("the reason is told");
     assert!(message.alarm && message.text.contains("hard spheres"));
 }

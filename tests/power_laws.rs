@@ -374,8 +374,10 @@ fn a_contact_that_never_ends_does_not_hang() {
     };
     assert_eq!(rebound(&law, true, 0.05), 0.0);
     let mut engine = engine(fig3(adaptive(law, 1e-8), 5));
-    let outcome = engine.advance(1.0, 200_000);
-    assert!(outcome.is_ok(), "{outcome:?}");
+    let error = engine
+        .advance(1e9, u64::MAX)
+        .expect_err("a collision without an end");
+    assert!(error.to_string().contains("creep"), "{error}");
     assert!(look(&*engine).gaps.iter().all(|g| g.is_finite()));
 }
 
@@ -456,7 +458,10 @@ fn any(seed: u64) -> Facts {
         attraction: dice.roll() < 0.5,
     };
     let contact_time = law.contact_time(speed);
-    let n = 1 + (dice.roll() * 8.0) as usize;
+    let n = [1, 2, 3, 4, 5, 6, 7, 8]
+        .into_iter()
+        .find(|&n| dice.roll() < 0.2 || n == 8)
+        .unwrap_or(8);
     let launched = Facts {
         n,
         width: if dice.roll() < 0.5 {

@@ -321,7 +321,7 @@ fn a_bad_file_is_told_line_column_key_and_value() {
         (
             "\"gear\"",
             "\"euler\"",
-            "own.toml:1:10: method = \"euler\": must be \"gear\" or \"verlet\" or \"ed\"",
+            "own.toml:1:10: method = \"euler\": must be \"gear\" or \"verlet\" or \"exact\" or \"ed\"",
         ),
         (
             "\"gear\"",

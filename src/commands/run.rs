@@ -28,7 +28,6 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     if let Some(every) = args.every {
         series::check(&preset.scene, every)?;
     }
-    warn_of_steps(&preset.scene);
     let mut output = Output::open(args.out.as_deref())?;
     let mut progress = Progress::new(preset.scene.duration);
     let mut watch = |time| {
@@ -37,9 +36,12 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     };
     if let Some(every) = args.every {
         let drive = Drive::new(&preset.scene, &mut watch);
-        return series::print(&preset.scene, drive, every, output);
+        series::print(&preset.scene, drive, every, output)?;
+        warn_of_steps(&preset.scene);
+        return Ok(());
     }
     let report = rows::measure(&preset, args.sensitivity, &mut watch)?;
+    warn_of_steps(&preset.scene);
     let written = output.write_all(report.written(args.format).as_bytes());
     if written.is_err() {
         return output.judge(written);
@@ -51,7 +53,8 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Says when the scene's grid is too coarse for a column whose contacts are all closed.
+/// Says when the scene's grid is too coarse for a column whose contacts are all closed:
+/// of a run that went well all the same. One that did not has said so.
 fn warn_of_steps(scene: &Scene) {
     if let Some(least) = spectrum::too_few_steps(scene) {
         let method = scene.method.name().as_str();

@@ -25,6 +25,11 @@ use stride::{Ahead, Motion};
 /// Steps between two looks whether creeping contacts have spent all they have.
 const INSPECTION: u64 = 64;
 
+/// Steps without any contact that begins or ends after which a column without gravity
+/// only creeps: strongly damped contacts under a power law let go ever more slowly and
+/// never come to an end.
+const CREEPING: u64 = 300_000;
+
 /// Builds the engine of an MD scene under a power law.
 pub(super) fn build(scene: &Scene, tolerance: f64, state: State) -> Box<dyn Engine> {
     let plate = state.plate;
@@ -67,6 +72,8 @@ struct Adaptive<G> {
     over: bool,
     /// Steps since time last moved on noticeably, and when that was.
     idle: (u64, f64),
+    /// Steps since a contact last began or ended.
+    unchanged: u64,
 }
 
 impl<G: Ground + 'static> Adaptive<G> {
@@ -95,6 +102,7 @@ impl<G: Ground + 'static> Adaptive<G> {
             view: None,
             over: false,
             idle: (0, state.time),
+            unchanged: 0,
             masses,
             state,
         };
@@ -195,6 +203,7 @@ impl<G: Ground + 'static> Adaptive<G> {
             self.ticks += 1.0;
             self.motion.ground.move_epoch();
         }
+        self.unchanged = if changed { 0 } else { self.unchanged + 1 };
         if changed {
             self.settle();
         }
@@ -203,6 +212,11 @@ impl<G: Ground + 'static> Adaptive<G> {
             let energy = self.moment(&self.motion.y).energy();
             self.over = energy.elastic <= OVER * energy.kinetic
                 && nothing_to_come(self.motion.rates().iter().copied(), &self.masses);
+        }
+        if !G::PULLS && !self.over && self.unchanged > CREEPING {
+            return Err(EngineError::Creeping {
+                time: self.reached(),
+            });
         }
         self.look_for_progress(h)
     }

@@ -102,13 +102,18 @@ pub(crate) fn velocities(rates: impl Iterator<Item = f64>) -> Vec<f64> {
 /// a fixed floor by [`OVER`] of itself.
 pub(crate) fn nothing_to_come(rates: impl Iterator<Item = f64>, masses: &[f64]) -> bool {
     let now = velocities(rates);
+    let energy: f64 = now.iter().zip(masses).map(|(v, m)| 0.5 * m * v * v).sum();
+    most_to_lose(now, masses) <= OVER * energy
+}
+
+/// The most energy, m²/s², that collisions still to come can take from free beads of
+/// these velocities above a fixed floor.
+pub(crate) fn most_to_lose(now: Vec<f64>, masses: &[f64]) -> f64 {
     let mut last = now.clone();
     totally_inelastic(&mut last, masses, true);
-    let energy: f64 = now.iter().zip(masses).map(|(v, m)| m * v * v).sum();
     // Directly: a difference of energies would hide losses below 10⁻¹⁶ of them.
-    let lost = now.iter().zip(&last).zip(masses);
-    let lost: f64 = lost.map(|((v, u), m)| m * (v - u) * (v + u)).sum();
-    lost <= OVER * energy
+    let lost = now.into_iter().zip(last).zip(masses);
+    lost.map(|((v, u), m)| 0.5 * m * (v - u) * (v + u)).sum()
 }
 
 /// The velocities nearest to `velocities` (in the kinetic-energy norm) that approach

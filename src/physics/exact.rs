@@ -15,7 +15,7 @@ mod repose;
 mod rest;
 mod series;
 
-use super::column::{OVER, masses, nothing_to_come, springs};
+use super::column::{OVER, masses, most_to_lose, springs, velocities};
 use super::flight::{Free, Ground, Shaken, Weight};
 use super::moment::Moment;
 use super::observation::Observation;
@@ -282,6 +282,13 @@ impl<G: Ground> Exact<G> {
             self.repose.disturb();
         }
         if closed == was_closed {
+            // The force is zero now, whatever rounding says.
+            let Spring {
+                stiffness, dashpot, ..
+            } = self.springs[i];
+            if dashpot > 0.0 {
+                self.gaps[i].w = -stiffness * self.gaps[i].g / dashpot;
+            }
             return;
         }
         self.gaps[i].g = 0.0;
@@ -311,8 +318,14 @@ impl<G: Ground> Exact<G> {
         }
         let (gaps, rates) = self.gaps_and_rates(self.now);
         let energy = self.moment(&gaps, &rates, self.now).energy();
-        self.over = (open || energy.elastic <= OVER * energy.kinetic)
-            && nothing_to_come(rates.into_iter(), &self.masses);
+        let spent = open || energy.elastic <= OVER * energy.kinetic;
+        // Of E_r, too, no part is to be lost that would show, unless it is nothing itself.
+        let least = energy
+            .relative
+            .max(OVER * energy.kinetic)
+            .min(energy.kinetic);
+        let lost = || most_to_lose(velocities(rates.into_iter()), &self.masses);
+        self.over = spent && lost() <= OVER * least;
     }
 
     /// What is accounted for, up to now.

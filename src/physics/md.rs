@@ -7,6 +7,7 @@
 mod chain;
 mod gear;
 mod ground;
+mod lanes;
 mod powered;
 mod stepper;
 mod verlet;
@@ -24,7 +25,7 @@ pub(super) use gear::CORRECTOR;
 use gear::Gear;
 use ground::{Free, Ground, Shaken, Weight};
 use powered::Powered;
-use stepper::Stepper;
+use stepper::{Power, Stepper};
 use verlet::Verlet;
 
 /// Steps between two looks at the numbers themselves.
@@ -93,12 +94,19 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
     state: State,
     ground: G,
 ) -> Box<dyn Engine> {
+    let masses = masses(scene);
+    let springs = springs(scene, &masses);
+    let column = Column {
+        ground,
+        masses,
+        springs,
+    };
     let power = matches!(scene.law(), Some(scene::Law::Power(_)));
     match (power, grid.attraction) {
-        (false, true) => with_law::<S, G, _>(scene, grid, state, ground, Linear::<true>),
-        (false, false) => with_law::<S, G, _>(scene, grid, state, ground, Linear::<false>),
-        (true, true) => with_law::<S, G, _>(scene, grid, state, ground, Powered::<true>),
-        (true, false) => with_law::<S, G, _>(scene, grid, state, ground, Powered::<false>),
+        (false, true) => with_law::<S, _, _>(scene, grid, state, column, Linear::<true>),
+        (false, false) => with_law::<S, _, _>(scene, grid, state, column, Linear::<false>),
+        (true, true) => with_law::<S, _, _>(scene, grid, state, column, Powered::<true>),
+        (true, false) => with_law::<S, _, _>(scene, grid, state, column, Powered::<false>),
     }
 }
 
@@ -106,24 +114,30 @@ fn with_law<S: Stepper + 'static, G: Ground + 'static, L: Law + 'static>(
     scene: &Scene,
     grid: Grid,
     state: State,
-    ground: G,
+    column: Column<G>,
     law: impl Fn(Spring) -> L,
 ) -> Box<dyn Engine> {
-    let masses = masses(scene);
-    let springs = springs(scene, &masses);
-    let laws: Vec<L> = springs.iter().map(|&spring| law(spring)).collect();
+    let laws: Vec<L> = column.springs.iter().map(|&spring| law(spring)).collect();
     if scene.width == 0.0 {
-        let chain = Equal::new(&laws);
-        Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
+        Md::<S, G, _>::boxed(scene, grid, state, column, Equal::new(&laws))
     } else {
-        let chain = Unequal::new(&laws, &masses);
-        Md::<S, G, _>::boxed(scene, grid, state, ground, chain, masses, springs)
+        let chain = Unequal::new(&laws, &column.masses);
+        Md::<S, G, _>::boxed(scene, grid, state, column, chain)
     }
+}
+
+/// What a column is, whatever moves it.
+struct Column<G> {
+    ground: G,
+    masses: Vec<f64>,
+    springs: Vec<Spring>,
 }
 
 /// A soft column on a grid of steps.
 struct Md<S, G, C> {
     stepper: S,
+    /// Since the last look at the numbers.
+    power: Power,
     ground: G,
     chain: C,
     masses: Vec<f64>,
@@ -151,15 +165,19 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         scene: &Scene,
         grid: Grid,
         state: State,
-        mut ground: G,
+        column: Column<G>,
         chain: C,
-        masses: Vec<f64>,
-        springs: Vec<Spring>,
     ) -> Box<dyn Engine> {
+        let Column {
+            mut ground,
+            masses,
+            springs,
+        } = column;
         let h = grid.contact_time / grid.steps_per_contact;
         ground.set_step(h);
         let mut md = Self {
             stepper: S::start(&state.gaps, &state.rates, h, &chain, &ground),
+            power: Power::default(),
             gravity: weight(scene),
             least_energy: weight(scene) * scene.diameter * masses.iter().sum::<f64>(),
             origin: state.time,
@@ -228,13 +246,13 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     fn note_contacts(&mut self) {
         let time = self.time();
         let floor_was_closed = self.state.books.contacts.closed()[0];
-        for (i, g) in self.stepper.gaps().iter().enumerate() {
-            self.state.books.contacts.note(i, *g <= 0.0, time);
+        for (i, g) in self.stepper.gaps().enumerate() {
+            self.state.books.contacts.note(i, g <= 0.0, time);
         }
         let floor_is_closed = self.state.books.contacts.closed()[0];
         if floor_is_closed != floor_was_closed {
-            let (gaps, rates) = (self.stepper.gaps(), self.rates());
-            let arrival = self.moment(gaps, &rates).arrival();
+            let (gaps, rates) = (self.gaps(), self.rates());
+            let arrival = self.moment(&gaps, &rates).arrival();
             if floor_is_closed {
                 self.state.books.bounce.begin(arrival);
             } else {
@@ -246,9 +264,17 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         }
     }
 
-    fn step(&mut self) -> Result<(), EngineError> {
-        let changed = self.stepper.step(&self.chain, &mut self.ground);
-        self.n += 1;
+    /// Does up to `steps` steps, not past a look at the numbers; how many it did.
+    fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
+        let steps = steps.min(HOUSEKEEPING - self.n % HOUSEKEEPING);
+        let (mut done, mut changed) = (0, false);
+        while done < steps && !changed {
+            changed = self
+                .stepper
+                .step(&self.chain, &mut self.ground, &mut self.power);
+            done += 1;
+        }
+        self.n += done;
         if changed {
             self.note_contacts();
             if self.over && self.lost_the_energy() {
@@ -256,10 +282,9 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
             }
         }
         if self.n.is_multiple_of(HOUSEKEEPING) {
-            self.housekeeping()
-        } else {
-            Ok(())
+            self.housekeeping()?;
         }
+        Ok(done)
     }
 
     fn unstable(&self) -> EngineError {
@@ -270,9 +295,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     }
 
     fn rates(&self) -> Vec<f64> {
-        let mut rates = Vec::new();
-        self.stepper.rates(&mut rates);
-        rates
+        self.stepper.rates(&self.chain, &self.ground)
     }
 
     fn nothing_to_come(&self) -> bool {
@@ -283,13 +306,10 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     fn gaps(&self) -> Vec<f64> {
         let gaps = self.stepper.gaps();
         let Some((from, _)) = self.flight else {
-            return gaps.to_vec();
+            return gaps.collect();
         };
         let flown = (self.n - from) as f64 * self.h;
-        gaps.iter()
-            .zip(self.rates())
-            .map(|(g, w)| g + flown * w)
-            .collect()
+        gaps.zip(self.rates()).map(|(g, w)| g + flown * w).collect()
     }
 
     /// Goes on in one flight to just before the next contact, if nothing pulls and no
@@ -300,10 +320,9 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         if G::PULLS || !settled || !self.state.books.contacts.all_open() {
             return Ok(());
         }
-        let closing = |(g, w): (&f64, f64)| if w < 0.0 { -g / w } else { f64::INFINITY };
+        let closing = |(g, w): (f64, f64)| if w < 0.0 { -g / w } else { f64::INFINITY };
         let gaps = self.stepper.gaps();
         let next = gaps
-            .iter()
             .zip(self.rates())
             .map(closing)
             .fold(f64::INFINITY, f64::min);
@@ -344,7 +363,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     /// What is accounted for, up to now.
     fn books(&self) -> Books {
         let mut books = self.state.books.clone();
-        fold(&mut books.ledger, &self.stepper, self.h);
+        fold(&mut books.ledger, &self.power, self.h);
         let flying = self.flight.map_or(0, |(from, _)| self.n - from);
         books.steps += self.n - self.skipped - flying;
         books
@@ -352,10 +371,11 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
 
     /// Every so often, whatever the slices a run is advanced in.
     fn housekeeping(&mut self) -> Result<(), EngineError> {
-        fold(&mut self.state.books.ledger, &self.stepper, self.h);
+        fold(&mut self.state.books.ledger, &self.power, self.h);
+        self.power = Power::default();
         self.stepper.clear();
         self.look_for_flight()?;
-        let sound = self.stepper.gaps().iter().sum::<f64>().is_finite();
+        let sound = self.stepper.gaps().sum::<f64>().is_finite();
         if sound && !self.n.is_multiple_of(INSPECTION) {
             return Ok(());
         }
@@ -377,9 +397,9 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     }
 }
 
-fn fold<S: Stepper>(ledger: &mut Ledger, stepper: &S, h: f64) {
-    ledger.lost.add(stepper.lost() * h);
-    ledger.plate_work.add(stepper.plate_work() * h);
+fn fold(ledger: &mut Ledger, power: &Power, h: f64) {
+    ledger.lost.add(power.all_lost() * h);
+    ledger.plate_work.add(power.plate * h);
 }
 
 impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for Md<S, G, C> {
@@ -395,8 +415,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for M
             if self.n >= target || left == 0 {
                 break;
             }
-            left -= 1;
-            self.step()?;
+            left -= self.run(left.min(target - self.n))?;
         }
         Ok(match (self.n >= target, self.over) {
             (false, _) => Outcome::OutOfBudget,

@@ -34,7 +34,7 @@ pub struct Mode {
 }
 
 /// The stiffest mode of the scene's column when all contacts are closed; none for
-/// hard spheres, and under power laws, whose stiffness is not one number.
+/// hard spheres and for power laws, whose stiffness depends on the overlap.
 pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
     let Some(Law::Hooke { .. }) = scene.law() else {
         return None;
@@ -60,7 +60,7 @@ pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
 }
 
 /// The largest time step, s, with which an integrator is stable on the scene's column
-/// when all contacts are closed; none for hard spheres.
+/// when all contacts are closed; none where there is no [`stiffest_mode`].
 pub fn largest_stable_step(scene: &Scene, integrator: Integrator) -> Option<f64> {
     let mode = stiffest_mode(scene)?;
     let stable = |h: f64| growth(mode, h, integrator) <= 1.0 + ROUNDING;

@@ -56,8 +56,8 @@ fn table(judged: &[(Case, Vec<Judgement>)], budget: Duration) -> Table {
             budget.as_secs_f64()
         ),
         "Reference: exact, whose own number is what the last bit of the start changes (right: \
-         Verlet at t_c/6400 or t_c/800 agrees or converges to it; ran: that was too slow to \
-         say). Where the last bit changes more than is right, ten times that is right. Where \
+         Verlet at t_c/6400 or t_c/800 agrees or converges to it; ran: that was too slow, or \
+         too coarse for so sensitive a case, to say). Where the last bit changes more than is right, ten times that is right. Where \
          exact is too slow, that Verlet is the reference."
             .to_owned(),
         "model: hard spheres (ed) solve another problem; their distance from soft beads is not \

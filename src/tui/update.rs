@@ -8,6 +8,7 @@ use super::keys::{self, Action};
 use super::model::{Change, Menu, Model, Overlay, Prompt, Speed};
 use crate::live::{Frame, Order};
 use crate::scene::parameters::{self, Parameter, Value};
+use crate::scene::{Law, Scene};
 
 /// What happens.
 #[derive(Debug)]
@@ -164,11 +165,38 @@ fn commit(
             return None;
         }
     };
-    let set = entry.and_then(|(parameter, value)| {
-        parameters::parse(parameter, value).and_then(|value| model.bench.set(parameter, value))
+    let entry = entry.and_then(|(parameter, value)| {
+        parameters::parse(parameter, value).map(|value| (parameter, value))
     });
-    match set {
-        Ok(change) => Some(changed(model, change, now)),
+    match entry {
+        Ok((parameter, value)) => set(model, parameter, value, now),
+        Err(error) => {
+            model.say(error.to_string(), true, now);
+            None
+        }
+    }
+}
+
+/// Sets a parameter, or says why not.
+fn set(
+    model: &mut Model,
+    parameter: &'static Parameter,
+    value: Value,
+    now: Instant,
+) -> Option<Command> {
+    match model.bench.set(parameter, value) {
+        Ok(change) => {
+            let command = changed(model, change, now);
+            let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
+            if parameter.name == "restitution" && model.bench.scenes().iter().any(ruled) {
+                model.say(
+                    "of hard spheres only: soft ones have the restitution of their law",
+                    false,
+                    now,
+                );
+            }
+            Some(command)
+        }
         Err(error) => {
             model.say(error.to_string(), true, now);
             None
@@ -330,13 +358,7 @@ fn nudge(
         model.say(at_the_end(parameter, value), false, now);
         return None;
     }
-    match model.bench.set(parameter, next) {
-        Ok(change) => Some(changed(model, change, now)),
-        Err(error) => {
-            model.say(error.to_string(), true, now);
-            None
-        }
-    }
+    set(model, parameter, next, now)
 }
 
 fn at_the_end(parameter: &Parameter, value: Value) -> String {

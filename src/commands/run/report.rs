@@ -53,6 +53,15 @@ impl Row {
         self
     }
 
+    /// The same for people only: files keep all digits of what is a sure mean of a
+    /// motion that may not be typical.
+    pub fn shown_to(self, part: Option<f64>) -> Self {
+        Self {
+            known: self.known.or(part),
+            ..self
+        }
+    }
+
     pub fn of_the_machine(
         name: &'static str,
         value: f64,

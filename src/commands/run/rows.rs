@@ -202,7 +202,8 @@ fn of_the_run(scene: &Scene, results: &Results, known: &Sensitivity) -> Vec<Row>
             "m",
             "height of the centre of mass, mean of the last 90 %",
         )
-        .known_to(known.h_cm_mean.or(standard_error)),
+        .known_to(known.h_cm_mean)
+        .shown_to(standard_error),
         Row::new(
             "h_cm_error",
             results.h_cm_error.map(Cell::Number),

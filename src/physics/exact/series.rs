@@ -161,7 +161,7 @@ impl<'a> Series<'a> {
             c
         });
         // A sum of two that cancel but for rounding is zero: then its slope decides.
-        if force[0].abs() <= 4.0 * f64::EPSILON * (spring.stiffness * self.b[j]).abs() {
+        if force[0].abs() <= 16.0 * f64::EPSILON * (spring.stiffness * self.b[j]).abs() {
             force[0] = 0.0;
         }
         force

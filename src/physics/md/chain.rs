@@ -1,29 +1,13 @@
 //! Forces in the contacts of a chain, and the accelerations of its gaps.
 
+use super::lanes::{LANES, Lane, Number, grouped, neighbours};
 use crate::physics::power_law::Spring;
-
-/// Contacts and masses of a chain.
-pub(crate) trait Chain: Send {
-    /// Force of the contact at gap `i` > 0, and the power it loses, at gap `g` with
-    /// rate `w`; in mean bead masses. Beads just touching are in contact.
-    fn pair(&self, i: usize, g: f64, w: f64) -> (f64, f64);
-
-    /// The same for the contact with the floor.
-    fn floor(&self, g: f64, w: f64) -> (f64, f64);
-
-    /// Acceleration of gap `i` > 0 under the contact forces, `forces[n]` being the
-    /// free end's, 0.
-    fn acceleration(&self, forces: &[f64], i: usize) -> f64;
-
-    /// Acceleration of bead 1, that is of gap 0 over a floor that does not accelerate.
-    fn first(&self, forces: &[f64]) -> f64;
-}
 
 /// The law of one contact, chosen at compile time.
 pub(crate) trait Law: Copy + Send {
     /// Force of the contact at gap `g` with rate `w`, and the power that it loses, in
     /// mean bead masses; both 0 where g > 0. Beads just touching are in contact.
-    fn push(self, g: f64, w: f64) -> (f64, f64);
+    fn push<T: Number>(self, g: T, w: T) -> (T, T);
 }
 
 /// The linear law. `ATTRACTION` says whether the short attractive end of a contact
@@ -33,16 +17,30 @@ pub(crate) struct Linear<const ATTRACTION: bool>(pub Spring);
 
 impl<const ATTRACTION: bool> Law for Linear<ATTRACTION> {
     #[inline]
-    fn push(self, g: f64, w: f64) -> (f64, f64) {
-        let elastic = -self.0.stiffness * g;
-        let full = elastic - self.0.dashpot * w;
-        let force = if ATTRACTION { full } else { full.max(0.0) };
-        if g <= 0.0 {
-            (force, (elastic - force) * w)
-        } else {
-            (0.0, 0.0)
-        }
+    fn push<T: Number>(self, g: T, w: T) -> (T, T) {
+        let elastic = g * -self.0.stiffness;
+        let full = elastic - w * self.0.dashpot;
+        let force = if ATTRACTION { full } else { full.positive() };
+        let power = (elastic - force) * w;
+        (force.where_closed(g), power.where_closed(g))
     }
+}
+
+/// Contacts and masses of a chain.
+pub(crate) trait Chain: Send {
+    /// Force of the floor's contact and the power it loses, as in [`Law::push`].
+    fn floor(&self, g: f64, w: f64) -> (f64, f64);
+
+    /// The same for the contacts of group `k`; also asked for the gaps beyond the last
+    /// bead that fill up a group.
+    fn pairs(&self, k: usize, g: Lane, w: Lane) -> (Lane, Lane);
+
+    /// Accelerations of the gaps of group `k` under their own contacts' forces and
+    /// those of the contacts below and above them.
+    fn accelerations(&self, k: usize, below: Lane, here: Lane, above: Lane) -> Lane;
+
+    /// Acceleration of bead 1, that is of gap 0 over a floor that does not accelerate.
+    fn first(&self, here: f64, above: f64) -> f64;
 }
 
 /// Equal beads: the floor's contact, and one law for all others.
@@ -63,71 +61,118 @@ impl<L: Law> Equal<L> {
 
 impl<L: Law> Chain for Equal<L> {
     #[inline]
-    fn pair(&self, _: usize, g: f64, w: f64) -> (f64, f64) {
-        self.pair.push(g, w)
-    }
-
-    #[inline]
     fn floor(&self, g: f64, w: f64) -> (f64, f64) {
         self.floor.push(g, w)
     }
 
     #[inline]
-    fn acceleration(&self, forces: &[f64], i: usize) -> f64 {
-        2.0 * forces[i] - forces[i - 1] - forces[i + 1]
+    fn pairs(&self, _: usize, g: Lane, w: Lane) -> (Lane, Lane) {
+        self.pair.push(g, w)
     }
 
     #[inline]
-    fn first(&self, forces: &[f64]) -> f64 {
-        forces[0] - forces[1]
+    fn accelerations(&self, _: usize, below: Lane, here: Lane, above: Lane) -> Lane {
+        here + here - below - above
+    }
+
+    #[inline]
+    fn first(&self, here: f64, above: f64) -> f64 {
+        here - above
     }
 }
 
 /// Beads of different masses: a law a contact, a mass a bead.
 pub(crate) struct Unequal<L> {
-    laws: Vec<L>,
-    inverse: Vec<f64>,
+    floor: L,
+    pairs: Vec<[L; LANES]>,
+    /// 1/m of bead 1, of the beads above each gap, and of those below.
+    first: f64,
+    above: Vec<Lane>,
+    below: Vec<Lane>,
 }
 
 impl<L: Law> Unequal<L> {
     /// The chain with these laws, and masses in mean bead masses.
     pub fn new(laws: &[L], masses: &[f64]) -> Self {
+        let inverse: Vec<f64> = masses.iter().map(|m| 1.0 / m).collect();
+        let shifted: Vec<f64> = std::iter::once(0.0)
+            .chain(inverse.iter().copied())
+            .collect();
+        let group = |chunk: &[L]| std::array::from_fn(|l| chunk[l.min(chunk.len() - 1)]);
         Self {
-            laws: laws.to_vec(),
-            inverse: masses.iter().map(|m| 1.0 / m).collect(),
+            floor: laws[0],
+            pairs: laws[1..].chunks(LANES).map(group).collect(),
+            first: inverse[0],
+            above: grouped(&inverse, 0.0),
+            below: grouped(&shifted[..masses.len()], 0.0),
         }
     }
 }
 
 impl<L: Law> Chain for Unequal<L> {
     #[inline]
-    fn pair(&self, i: usize, g: f64, w: f64) -> (f64, f64) {
-        self.laws[i].push(g, w)
-    }
-
-    #[inline]
     fn floor(&self, g: f64, w: f64) -> (f64, f64) {
-        self.laws[0].push(g, w)
+        self.floor.push(g, w)
     }
 
     #[inline]
-    fn acceleration(&self, forces: &[f64], i: usize) -> f64 {
-        (forces[i] - forces[i + 1]) * self.inverse[i]
-            - (forces[i - 1] - forces[i]) * self.inverse[i - 1]
+    fn pairs(&self, k: usize, g: Lane, w: Lane) -> (Lane, Lane) {
+        let (g, w) = (g.to_array(), w.to_array());
+        let (mut forces, mut powers) = ([0.0; LANES], [0.0; LANES]);
+        for (l, law) in self.pairs[k].iter().enumerate() {
+            (forces[l], powers[l]) = law.push(g[l], w[l]);
+        }
+        (Lane::new(forces), Lane::new(powers))
     }
 
     #[inline]
-    fn first(&self, forces: &[f64]) -> f64 {
-        (forces[0] - forces[1]) * self.inverse[0]
+    fn accelerations(&self, k: usize, below: Lane, here: Lane, above: Lane) -> Lane {
+        (here - above) * self.above[k] - (below - here) * self.below[k]
+    }
+
+    #[inline]
+    fn first(&self, here: f64, above: f64) -> f64 {
+        (here - above) * self.first
     }
 }
 
-/// Forces of all contacts at these gaps and rates, with the free end's 0.
-pub(super) fn forces<C: Chain>(chain: &C, gaps: &[f64], rates: &[f64]) -> Vec<f64> {
-    let mut forces = vec![0.0; gaps.len() + 1];
-    forces[0] = chain.floor(gaps[0], rates[0]).0;
-    for i in 1..gaps.len() {
-        forces[i] = chain.pair(i, gaps[i], rates[i]).0;
+/// Contact forces of a chain.
+#[derive(Clone)]
+pub(super) struct Forces {
+    /// In the floor's contact.
+    pub floor: f64,
+    /// In the others, and a group of 0 for the free end.
+    pub rest: Vec<Lane>,
+}
+
+impl Forces {
+    /// The forces at these gaps and rates; the gaps beyond the last bead are open.
+    pub fn new<C: Chain>(chain: &C, (gap, gaps): (f64, &[Lane]), rates: &[f64]) -> Self {
+        let pairs = gaps.iter().zip(grouped(rates, 0.0)).enumerate();
+        Self {
+            floor: chain.floor(gap, rates[0]).0,
+            rest: pairs
+                .map(|(k, (g, w))| chain.pairs(k, *g, w).0)
+                .chain([Lane::ZERO])
+                .collect(),
+        }
     }
-    forces
+
+    /// The first of the forces above the floor's.
+    #[inline]
+    pub fn second(&self) -> f64 {
+        self.rest[0].to_array()[0]
+    }
+
+    /// Accelerations of all gaps, the lowest also feeling `pull`.
+    pub fn accelerations<C: Chain>(&self, chain: &C, pull: f64) -> (f64, Vec<Lane>) {
+        let mut under = self.floor;
+        let rest = self.rest.windows(2).enumerate().map(|(k, forces)| {
+            let (below, above) = neighbours(under, forces[0], forces[1]);
+            under = forces[0].to_array()[LANES - 1];
+            chain.accelerations(k, below, forces[0], above)
+        });
+        let rest = rest.collect();
+        (chain.first(self.floor, self.second()) + pull, rest)
+    }
 }

@@ -3,9 +3,10 @@
 //! State: the scaled derivatives r_k = (h^k/k!) d^k g/dt^k, k = 0..5. The predictor is
 //! their Taylor series; the corrector adds c_k Δ, Δ = (h²/2) g̈ − r₂.
 
-use super::chain::{Chain, forces};
+use super::chain::{Chain, Forces};
 use super::ground::Ground;
-use super::stepper::{Stepper, flush};
+use super::lanes::{BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours};
+use super::stepper::{Power, Stepper};
 
 /// Corrector coefficients for a second-order equation whose force depends on
 /// velocity (3/16 in place of 3/20).
@@ -18,77 +19,42 @@ pub(crate) const CORRECTOR: [f64; 6] = [
     1.0 / 60.0,
 ];
 
+/// r₀ to r₅ of one gap, or of a group.
+type Derivatives<T> = [T; 6];
+
 pub(crate) struct Gear {
+    n: usize,
     h: f64,
-    r: [Vec<f64>; 6],
-    /// Contact forces; one more than gaps: the free end's is 0.
-    forces: Vec<f64>,
-    /// Power lost in each contact, summed over steps.
-    lost: Vec<f64>,
-    plate_power: f64,
+    floor: Derivatives<f64>,
+    rest: Vec<Derivatives<Lane>>,
+    forces: Forces,
 }
 
-/// Splits the six derivatives into slices of one known length, so that the loops
-/// below need no bounds checks.
-fn split(r: &mut [Vec<f64>; 6], n: usize) -> [&mut [f64]; 6] {
-    r.each_mut().map(|row| &mut row[..n])
+/// The Taylor series, a step on.
+#[inline]
+fn predicted<T: Number>([a, b, c, d, e, f]: Derivatives<T>) -> Derivatives<T> {
+    [
+        a + b + c + d + e + f,
+        b + c * 2.0 + d * 3.0 + e * 4.0 + f * 5.0,
+        c + d * 3.0 + e * 6.0 + f * 10.0,
+        d + e * 4.0 + f * 10.0,
+        e + f * 5.0,
+        f,
+    ]
 }
 
-impl Gear {
-    fn predict<C: Chain>(&mut self, chain: &C) -> bool {
-        let n = self.lost.len();
-        let per_step = 1.0 / self.h;
-        let [r0, r1, r2, r3, r4, r5] = split(&mut self.r, n);
-        let (forces, lost) = (&mut self.forces[..n], &mut self.lost[..n]);
-        let mut changed = false;
-        let mut predict = |i: usize| {
-            let (a, b, c, d, e, f) = (r0[i], r1[i], r2[i], r3[i], r4[i], r5[i]);
-            let g = a + b + c + d + e + f;
-            let gh = b + 2.0 * c + 3.0 * d + 4.0 * e + 5.0 * f;
-            changed |= (g <= 0.0) != (a <= 0.0);
-            r0[i] = g;
-            r1[i] = gh;
-            r2[i] = c + 3.0 * d + 6.0 * e + 10.0 * f;
-            r3[i] = d + 4.0 * e + 10.0 * f;
-            r4[i] = e + 5.0 * f;
-            (g, gh * per_step)
-        };
-        let mut push = |i: usize, (force, power): (f64, f64)| {
-            forces[i] = force;
-            lost[i] += power;
-        };
-        let (g, w) = predict(0);
-        push(0, chain.floor(g, w));
-        for i in 1..n {
-            let (g, w) = predict(i);
-            push(i, chain.pair(i, g, w));
-        }
-        changed
-    }
-
-    fn correct<C: Chain, G: Ground>(&mut self, chain: &C, ground: &G) -> bool {
-        let n = self.lost.len();
-        let half = 0.5 * self.h * self.h;
-        let forces = &self.forces[..=n];
-        let [r0, r1, r2, r3, r4, r5] = split(&mut self.r, n);
-        let mut changed = false;
-        let mut fix = |i: usize, acceleration: f64| {
-            let delta = half * acceleration - r2[i];
-            let g = r0[i] + CORRECTOR[0] * delta;
-            changed |= (g <= 0.0) != (r0[i] <= 0.0);
-            r0[i] = g;
-            r1[i] += CORRECTOR[1] * delta;
-            r2[i] += CORRECTOR[2] * delta;
-            r3[i] += CORRECTOR[3] * delta;
-            r4[i] += CORRECTOR[4] * delta;
-            r5[i] += CORRECTOR[5] * delta;
-        };
-        fix(0, chain.first(forces) + ground.pull());
-        for i in 1..n {
-            fix(i, chain.acceleration(forces, i));
-        }
-        changed
-    }
+/// Derivatives set right, r₂ being `truth`.
+#[inline]
+fn corrected<T: Number>([a, b, c, d, e, f]: Derivatives<T>, truth: T) -> Derivatives<T> {
+    let delta = truth - c;
+    [
+        a + delta * CORRECTOR[0],
+        b + delta * CORRECTOR[1],
+        c + delta * CORRECTOR[2],
+        d + delta * CORRECTOR[3],
+        e + delta * CORRECTOR[4],
+        f + delta * CORRECTOR[5],
+    ]
 }
 
 impl Stepper for Gear {
@@ -99,72 +65,107 @@ impl Stepper for Gear {
         chain: &C,
         ground: &G,
     ) -> Self {
-        let n = gaps.len();
-        let forces = forces(chain, gaps, rates);
+        let grouped_gaps = grouped(gaps, BEYOND);
+        let forces = Forces::new(chain, (gaps[0], &grouped_gaps), rates);
+        let (first, rest) = forces.accelerations(chain, ground.pull());
         let half = 0.5 * h * h;
-        let mut r: [Vec<f64>; 6] = std::array::from_fn(|_| vec![0.0; n]);
-        r[0].copy_from_slice(gaps);
-        for i in 0..n {
-            r[1][i] = h * rates[i];
-            r[2][i] = half
-                * if i == 0 {
-                    chain.first(&forces) + ground.pull()
-                } else {
-                    chain.acceleration(&forces, i)
-                };
-        }
+        let derivatives = grouped_gaps.iter().zip(grouped(rates, 0.0)).zip(rest);
+        let zero = Lane::ZERO;
         Self {
+            n: gaps.len(),
             h,
-            r,
+            floor: [gaps[0], rates[0] * h, first * half, 0.0, 0.0, 0.0],
+            rest: derivatives
+                .map(|((g, w), a)| [*g, w * h, a * half, zero, zero, zero])
+                .collect(),
             forces,
-            lost: vec![0.0; n],
-            plate_power: 0.0,
         }
     }
 
-    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G) -> bool {
+    #[inline]
+    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G, power: &mut Power) -> bool {
         ground.step();
-        let predicted = self.predict(chain);
-        let corrected = self.correct(chain, ground);
+        let r = predicted(self.floor);
+        let (force, lost) = chain.floor(r[0], r[1] / self.h);
+        power.lost.0 += lost;
         if G::MOVES {
-            self.plate_power += self.forces[0] * ground.velocity();
+            power.plate += force * ground.velocity();
         }
-        predicted | corrected
+        self.forces.floor = force;
+        let mut any = self.predict(chain, &mut power.lost.1);
+        any |= self.correct(chain);
+        let acceleration = chain.first(force, self.forces.second()) + ground.pull();
+        let r = corrected(r, acceleration * (0.5 * self.h * self.h));
+        let floor = (r[0] <= 0.0) != (self.floor[0] <= 0.0);
+        self.floor = r;
+        any.any() | floor
     }
 
     fn coast(&mut self, steps: u64) {
-        let [gaps, rates, derivatives @ ..] = &mut self.r;
-        for (g, w) in gaps.iter_mut().zip(rates) {
-            *g += steps as f64 * *w;
+        // What is left of the rest has died away over the steps since the last contact.
+        let coasted = steps as f64;
+        let [g, w, ..] = self.floor;
+        self.floor = [g + w * coasted, w, 0.0, 0.0, 0.0, 0.0];
+        let zero = Lane::ZERO;
+        for r in &mut self.rest {
+            let [g, w, ..] = *r;
+            *r = [g + w * coasted, w, zero, zero, zero, zero];
         }
-        // What is left of them has died away over the steps since the last contact.
-        for row in derivatives {
-            row.fill(0.0);
-        }
     }
 
-    fn gaps(&self) -> &[f64] {
-        &self.r[0]
+    fn gaps(&self) -> impl Iterator<Item = f64> {
+        self.derivative(0)
     }
 
-    fn rates(&self, into: &mut Vec<f64>) {
-        into.clear();
-        into.extend(self.r[1].iter().map(|r| r / self.h));
-    }
-
-    fn lost(&self) -> f64 {
-        self.lost.iter().sum()
-    }
-
-    fn plate_work(&self) -> f64 {
-        self.plate_power
+    fn rates<C: Chain, G: Ground>(&self, _: &C, _: &G) -> Vec<f64> {
+        self.derivative(1).map(|r| r / self.h).collect()
     }
 
     fn clear(&mut self) {
-        self.lost.fill(0.0);
-        self.plate_power = 0.0;
-        for row in &mut self.r {
-            flush(row);
+        self.floor = self.floor.map(flushed);
+        flush(self.rest.as_flattened_mut());
+    }
+}
+
+impl Gear {
+    /// r_k of all gaps.
+    fn derivative(&self, k: usize) -> impl Iterator<Item = f64> {
+        let rest = self.rest.iter().flat_map(move |r| r[k].to_array());
+        std::iter::once(self.floor[k]).chain(rest).take(self.n)
+    }
+
+    /// Predicts all gaps but the floor's, and the forces in them; which lanes changed.
+    #[inline]
+    fn predict<C: Chain>(&mut self, chain: &C, lost: &mut Lane) -> Lane {
+        let (mut sum, mut any) = (*lost, Lane::ZERO);
+        let per_step = 1.0 / self.h;
+        let gaps = self.rest.iter_mut().zip(&mut self.forces.rest);
+        for (k, (r, force)) in gaps.enumerate() {
+            let next = predicted(*r);
+            let (push, power) = chain.pairs(k, next[0], next[1] * per_step);
+            any |= changed(r[0], next[0]);
+            sum += power;
+            (*r, *force) = (next, push);
         }
+        *lost = sum;
+        any
+    }
+
+    /// Corrects all gaps but the floor's for the forces predicted; which lanes changed.
+    #[inline]
+    fn correct<C: Chain>(&mut self, chain: &C) -> Lane {
+        let mut any = Lane::ZERO;
+        let half = 0.5 * self.h * self.h;
+        let mut under = self.forces.floor;
+        let forces = self.forces.rest.iter().zip(&self.forces.rest[1..]);
+        for (k, (r, (&here, &over))) in self.rest.iter_mut().zip(forces).enumerate() {
+            let (below, above) = neighbours(under, here, over);
+            under = here.to_array()[LANES - 1];
+            let acceleration = chain.accelerations(k, below, here, above);
+            let next = corrected(*r, acceleration * half);
+            any |= changed(r[0], next[0]);
+            *r = next;
+        }
+        any
     }
 }

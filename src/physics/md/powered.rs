@@ -1,6 +1,7 @@
 //! Power laws on a grid of time steps.
 
 use super::chain::Law;
+use super::lanes::Number;
 use crate::physics::power_law::{Spring, power};
 
 /// A power law; `ATTRACTION` as in [`super::chain::Linear`].
@@ -9,13 +10,16 @@ pub(crate) struct Powered<const ATTRACTION: bool>(pub Spring);
 
 impl<const ATTRACTION: bool> Law for Powered<ATTRACTION> {
     #[inline]
-    fn push(self, g: f64, w: f64) -> (f64, f64) {
-        if g > 0.0 {
-            return (0.0, 0.0);
-        }
-        let elastic = self.0.elastic(-g);
-        let full = elastic - self.0.dashpot * power(-g, self.0.gamma) * w;
-        let force = if ATTRACTION { full } else { full.max(0.0) };
-        (force, (elastic - force) * w)
+    fn push<T: Number>(self, g: T, w: T) -> (T, T) {
+        // Powers have no lanes of their own.
+        T::singly(g, w, |g, w| {
+            if g > 0.0 {
+                return (0.0, 0.0);
+            }
+            let elastic = self.0.elastic(-g);
+            let full = elastic - self.0.dashpot * power(-g, self.0.gamma) * w;
+            let force = if ATTRACTION { full } else { full.max(0.0) };
+            (force, (elastic - force) * w)
+        })
     }
 }

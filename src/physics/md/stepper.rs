@@ -2,6 +2,7 @@
 
 use super::chain::Chain;
 use super::ground::Ground;
+use super::lanes::Lane;
 
 /// What an integrator does. Its state is gaps, rates and derivatives of its own.
 pub(super) trait Stepper: Send + Sized {
@@ -13,28 +14,32 @@ pub(super) trait Stepper: Send + Sized {
         chain: &C,
         ground: &G,
     ) -> Self;
-    /// One step; whether any gap may have changed between contact and flight.
-    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G) -> bool;
+    /// One step, the floor's included; whether any gap may have changed between
+    /// contact and flight.
+    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G, power: &mut Power) -> bool;
     /// Flies on for `steps` steps at constant rates.
     fn coast(&mut self, steps: u64);
     /// The gaps, m.
-    fn gaps(&self) -> &[f64];
-    /// Writes the rates, m/s.
-    fn rates(&self, into: &mut Vec<f64>);
-    /// What contacts have lost since this was last cleared, m²/s².
-    fn lost(&self) -> f64;
-    /// Work of the plate since this was last cleared, m²/s².
-    fn plate_work(&self) -> f64;
-    /// Clears both, and numbers too small to matter: in free flight derivatives decay
-    /// into subnormals, which cost 20 to 40 times as much to compute with.
+    fn gaps(&self) -> impl Iterator<Item = f64>;
+    /// The rates, m/s.
+    fn rates<C: Chain, G: Ground>(&self, chain: &C, ground: &G) -> Vec<f64>;
+    /// Clears numbers too small to matter: in free flight derivatives decay into
+    /// subnormals, which cost 20 to 40 times as much to compute with.
     fn clear(&mut self);
 }
 
-/// Sets to zero what is too small to matter to anything (lengths of 10⁻²⁰⁰ m).
-pub(super) fn flush(row: &mut [f64]) {
-    for x in row {
-        if x.abs() < 1e-200 {
-            *x = 0.0;
-        }
+/// Powers summed over steps, m²/s³.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Power {
+    /// Lost in the floor's contact, and in the others, a sum a lane.
+    pub lost: (f64, Lane),
+    /// Put in by the plate.
+    pub plate: f64,
+}
+
+impl Power {
+    /// Lost in all contacts.
+    pub fn all_lost(&self) -> f64 {
+        self.lost.0 + self.lost.1.to_array().iter().sum::<f64>()
     }
 }

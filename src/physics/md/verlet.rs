@@ -1,32 +1,35 @@
 //! Velocity Verlet. The dashpot needs the velocity at the end of the step before it
 //! is known; it gets the one that the old acceleration predicts.
+//!
+//! The kick that ends a step and the one that begins the next are done in one pass:
+//! rates are kept as they are before the former.
 
-use super::chain::{Chain, forces};
+use super::chain::{Chain, Forces};
 use super::ground::Ground;
-use super::stepper::{Stepper, flush};
+use super::lanes::{
+    BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours, singly,
+};
+use super::stepper::{Power, Stepper};
 
 pub(crate) struct Verlet {
+    n: usize,
     h: f64,
-    gaps: Vec<f64>,
-    rates: Vec<f64>,
-    accelerations: Vec<f64>,
-    /// Contact forces; one more than gaps: the free end's is 0.
-    forces: Vec<f64>,
-    /// Power lost in each contact, summed over steps.
-    lost: Vec<f64>,
-    plate_power: f64,
+    /// The floor's gap, and its rate half a step ago.
+    floor: (f64, f64),
+    gaps: Vec<Lane>,
+    /// Rates half a step ago.
+    rates: Vec<Lane>,
+    /// Contact forces now, and room for the next ones.
+    forces: Forces,
+    next: Vec<Lane>,
 }
 
-impl Verlet {
-    fn accelerate<C: Chain, G: Ground>(&mut self, chain: &C, ground: &G) {
-        let n = self.gaps.len();
-        let forces = &self.forces[..=n];
-        let accelerations = &mut self.accelerations[..n];
-        for i in 1..n {
-            accelerations[i] = chain.acceleration(forces, i);
-        }
-        accelerations[0] = chain.first(forces) + ground.pull();
-    }
+/// A step: gap, rate in the middle, and rate predicted for the end.
+#[inline]
+fn drift<T: Number>(g: T, before: T, acceleration: T, h: f64) -> (T, T, T) {
+    let kick = acceleration * (0.5 * h);
+    let half = (before + kick) + kick;
+    (g + half * h, half, half + kick)
 }
 
 impl Stepper for Verlet {
@@ -37,88 +40,97 @@ impl Stepper for Verlet {
         chain: &C,
         ground: &G,
     ) -> Self {
-        let n = gaps.len();
-        let mut verlet = Self {
+        let grouped_gaps = grouped(gaps, BEYOND);
+        let forces = Forces::new(chain, (gaps[0], &grouped_gaps), rates);
+        let (first, rest) = forces.accelerations(chain, ground.pull());
+        let before = |(w, a): (Lane, Lane)| w - a * (0.5 * h);
+        Self {
+            n: gaps.len(),
             h,
-            gaps: gaps.to_vec(),
-            rates: rates.to_vec(),
-            accelerations: vec![0.0; n],
-            forces: forces(chain, gaps, rates),
-            lost: vec![0.0; n],
-            plate_power: 0.0,
-        };
-        verlet.accelerate(chain, ground);
-        verlet
+            floor: (gaps[0], rates[0] - first * (0.5 * h)),
+            rates: grouped(rates, 0.0)
+                .into_iter()
+                .zip(rest)
+                .map(before)
+                .collect(),
+            next: forces.rest.clone(),
+            gaps: grouped_gaps,
+            forces,
+        }
     }
 
-    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G) -> bool {
+    #[inline]
+    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G, power: &mut Power) -> bool {
+        let (was, before) = self.floor;
+        let acceleration = chain.first(self.forces.floor, self.forces.second()) + ground.pull();
+        let (g, half, w) = drift(was, before, acceleration, self.h);
+        let (force, lost) = chain.floor(g, w);
+        self.floor = (g, half);
+        power.lost.0 += lost;
         ground.step();
-        let (n, h) = (self.gaps.len(), self.h);
-        let gaps = &mut self.gaps[..n];
-        let rates = &mut self.rates[..n];
-        let accelerations = &mut self.accelerations[..n];
-        let forces = &mut self.forces[..=n];
-        let lost = &mut self.lost[..n];
-        let mut changed = false;
-        let mut drift = |i: usize| {
-            let kick = 0.5 * h * accelerations[i];
-            let half = rates[i] + kick;
-            let g = gaps[i] + h * half;
-            changed |= (g <= 0.0) != (gaps[i] <= 0.0);
-            gaps[i] = g;
-            rates[i] = half;
-            (g, half + kick)
-        };
-        let mut push = |i: usize, (force, power): (f64, f64)| {
-            forces[i] = force;
-            lost[i] += power;
-        };
-        let (g, w) = drift(0);
-        push(0, chain.floor(g, w));
-        for i in 1..n {
-            let (g, w) = drift(i);
-            push(i, chain.pair(i, g, w));
-        }
-        for i in 1..n {
-            accelerations[i] = chain.acceleration(forces, i);
-            rates[i] += 0.5 * h * accelerations[i];
-        }
-        accelerations[0] = chain.first(forces) + ground.pull();
-        rates[0] += 0.5 * h * accelerations[0];
         if G::MOVES {
-            self.plate_power += forces[0] * ground.velocity();
+            power.plate += force * ground.velocity();
         }
-        changed
+        let changed = self.pairs(chain, &mut power.lost.1);
+        self.forces.floor = force;
+        std::mem::swap(&mut self.forces.rest, &mut self.next);
+        changed | ((g <= 0.0) != (was <= 0.0))
     }
 
     fn coast(&mut self, steps: u64) {
         let flight = steps as f64 * self.h;
+        self.floor.0 += flight * self.floor.1;
         for (g, w) in self.gaps.iter_mut().zip(&self.rates) {
-            *g += flight * w;
+            *g += *w * flight;
         }
     }
 
-    fn gaps(&self) -> &[f64] {
-        &self.gaps
+    fn gaps(&self) -> impl Iterator<Item = f64> {
+        std::iter::once(self.floor.0)
+            .chain(singly(&self.gaps))
+            .take(self.n)
     }
 
-    fn rates(&self, into: &mut Vec<f64>) {
-        self.rates.clone_into(into);
-    }
-
-    fn lost(&self) -> f64 {
-        self.lost.iter().sum()
-    }
-
-    fn plate_work(&self) -> f64 {
-        self.plate_power
+    fn rates<C: Chain, G: Ground>(&self, chain: &C, ground: &G) -> Vec<f64> {
+        let (first, rest) = self.forces.accelerations(chain, ground.pull());
+        let kicked = self
+            .rates
+            .iter()
+            .zip(rest)
+            .map(|(w, a)| *w + a * (0.5 * self.h));
+        std::iter::once(self.floor.1 + first * (0.5 * self.h))
+            .chain(singly(&kicked.collect::<Vec<_>>()))
+            .take(self.n)
+            .collect()
     }
 
     fn clear(&mut self) {
-        self.lost.fill(0.0);
-        self.plate_power = 0.0;
+        self.floor = (flushed(self.floor.0), flushed(self.floor.1));
         flush(&mut self.gaps);
         flush(&mut self.rates);
-        flush(&mut self.accelerations);
+    }
+}
+
+impl Verlet {
+    /// A step of all gaps but the floor's; the forces go to `next`.
+    #[inline]
+    fn pairs<C: Chain>(&mut self, chain: &C, lost: &mut Lane) -> bool {
+        let (mut sum, mut any) = (*lost, Lane::ZERO);
+        let (mut under, h) = (self.forces.floor, self.h);
+        let forces = self.forces.rest.iter().zip(&self.forces.rest[1..]);
+        let gaps = self.gaps.iter_mut().zip(&mut self.rates);
+        let gaps = gaps.zip(&mut self.next);
+        for (k, (((gap, rate), next), (&here, &over))) in gaps.zip(forces).enumerate() {
+            let (below, above) = neighbours(under, here, over);
+            under = here.to_array()[LANES - 1];
+            let acceleration = chain.accelerations(k, below, here, above);
+            let (g, half, w) = drift(*gap, *rate, acceleration, h);
+            let (force, power) = chain.pairs(k, g, w);
+            any |= changed(*gap, g);
+            sum += power;
+            (*gap, *rate, *next) = (g, half, force);
+        }
+        *lost = sum;
+        any.any()
     }
 }

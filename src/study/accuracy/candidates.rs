@@ -21,6 +21,11 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// Whether it is the reference, with nothing to trade.
+    pub fn is_reference(&self) -> bool {
+        self.method == MethodName::Exact && self.rung.is_none()
+    }
+
     /// Whether it solves another problem than the reference: hard spheres.
     pub fn is_other_model(&self) -> bool {
         !self.scene.is_md()

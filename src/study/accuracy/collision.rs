@@ -82,7 +82,7 @@ pub(super) fn report(
         let mut in_time = |_| within(started, effort.time);
         let drive = Drive::new(&candidate.scene, &mut in_time);
         let outcome = run(drive, &candidate.scene, &times).map(|run| {
-            let errors = if candidate.method == MethodName::Exact {
+            let errors = if candidate.is_reference() {
                 sensitivity
             } else {
                 errors(&run, &truth, scale)
@@ -234,7 +234,12 @@ fn table(rows: &[Row], truth: &Run, sensitivity: Errors) -> Table {
             truth.eps_eff
         ),
         format!(
-            "Its own row is what one bit of the start changes: {:.0e} of eps_eff.",
+            "{} one bit of the start changes {:.0e} of eps_eff.",
+            if has_rung(rows) {
+                "Its own rows are distances from a run at a tolerance of 1e-12;"
+            } else {
+                "Its own row is what the last bit does:"
+            },
             sensitivity.eps_eff.max(ROUNDING)
         ),
         "Hard spheres (ed) solve another problem: their distance is the model's, whatever \
@@ -251,9 +256,9 @@ fn table(rows: &[Row], truth: &Run, sensitivity: Errors) -> Table {
 }
 
 fn cells(row: &Row) -> Vec<Cell> {
-    let kind = match row.candidate.method {
-        MethodName::Exact => "last bit",
-        _ if row.candidate.is_other_model() => "model",
+    let kind = match &row.candidate {
+        candidate if candidate.is_reference() => "last bit",
+        candidate if candidate.is_other_model() => "model",
         _ => "numbers",
     };
     let (run, errors) = match &row.outcome {
@@ -323,6 +328,12 @@ fn orders(rows: &[Row]) -> Table {
     table
 }
 
+/// Whether the exact method has tolerances.
+fn has_rung(rows: &[Row]) -> bool {
+    let mut candidates = rows.iter().map(|row| &row.candidate);
+    candidates.any(|c| c.method == MethodName::Exact && !c.is_reference())
+}
+
 fn plot(rows: &[Row]) -> Plot {
     let mut series: BTreeMap<usize, Vec<(f64, f64)>> = BTreeMap::new();
     for row in rows {
@@ -339,6 +350,7 @@ fn plot(rows: &[Row]) -> Plot {
     let named = |(at, points): (usize, Vec<(f64, f64)>)| {
         let name = match MethodName::ALL[at] {
             MethodName::Ed => "ed (another model)".to_owned(),
+            MethodName::Exact if has_rung(rows) => "exact (tolerances)".to_owned(),
             MethodName::Exact => "exact (last bit)".to_owned(),
             method => method.as_str().to_owned(),
         };

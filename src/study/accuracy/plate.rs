@@ -32,6 +32,9 @@ const PARTED: f64 = 0.01;
 /// The beginning of a run, which still depends on how it started.
 const SETTLING: f64 = 0.1;
 
+/// Tolerances of it.
+const TOLERANCES: [f64; 2] = [1e-4, 1e-6];
+
 /// Steps of the ladder that are worth their time here.
 const STEPS: [f64; 3] = [50.0, 100.0, 200.0];
 
@@ -112,7 +115,8 @@ pub(super) fn report(
         .into_iter()
         .filter(|candidate| match candidate.rung {
             Some(("steps_per_contact", steps)) => STEPS.contains(&steps),
-            _ => candidate.method != MethodName::Exact,
+            Some((_, tolerance)) => TOLERANCES.contains(&tolerance),
+            None => !candidate.is_reference(),
         })
         .collect();
     let started = Instant::now();

@@ -3,9 +3,8 @@
 use super::RIGHT;
 use super::cases::Case;
 use super::runs::{Ending, Numbers, distance, run};
-use crate::physics::EngineError;
 use crate::scene::parameters::Value;
-use crate::scene::{MethodName, Scene};
+use crate::scene::{MethodName, Scene, Start};
 use crate::study::{one_ulp_off, vary};
 use std::time::Duration;
 
@@ -128,6 +127,25 @@ pub fn judge(case: &Case, budget: Duration) -> Vec<Judgement> {
     MethodName::ALL.map(judgement).into()
 }
 
+/// How far another scene's numbers are, if it comes to its end.
+fn from(scene: &Scene, truth: &Numbers, budget: Duration, end: Option<f64>) -> Option<f64> {
+    match run(scene, None, budget, end) {
+        Ending::Done { numbers, .. } => Some(distance(&numbers, truth)),
+        _ => None,
+    }
+}
+
+/// The scene with its beads farther apart by the way that they go in a step of the
+/// coarser checking grid.
+fn below_the_grid(scene: &Scene) -> Option<Scene> {
+    let Start::Separated { s0, v0, .. } = scene.start else {
+        return None;
+    };
+    let fallen = (2.0 * scene.gravity.unwrap_or(0.0) * s0).sqrt();
+    let step = v0.abs().max(fallen) * scene.contact_time()? / CHECK_STEPS[1];
+    vary(scene, None, &[("s0", Value::Number(s0 + step))]).ok()
+}
+
 /// Verlet on the finest grid that there is time for.
 fn check(scene: &Scene, budget: Duration, end: Option<f64>) -> Ending {
     let mut ending = Ending::Slow { needed: None };
@@ -177,14 +195,17 @@ fn reference(
         }
         Ending::Done { numbers: fine, .. } => {
             let fine = distance(fine, numbers);
-            match on_grid(scene, MethodName::Verlet, STEPS).map(|s| run(&s, None, budget, end)) {
-                // A method of first order that comes nearer with its step is on its way there.
-                Ok(Ending::Done {
-                    numbers: coarse, ..
-                }) if fine < CONVERGING * distance(&coarse, numbers) => {
-                    Verdict::Right(last_bit.unwrap_or(0.0))
-                }
-                _ => Verdict::Off(fine),
+            let coarse = on_grid(scene, MethodName::Verlet, STEPS).ok();
+            let coarse = coarse.and_then(|grid| from(&grid, numbers, budget, end));
+            let shifted = below_the_grid(scene).and_then(|s| from(&s, numbers, budget, end));
+            if coarse.is_some_and(|coarse| fine < CONVERGING * coarse) {
+                // A method of first order that comes nearer with its step is on its way.
+                Verdict::Right(last_bit.unwrap_or(0.0))
+            } else if shifted.is_some_and(|shifted| fine < LAST_BITS * shifted) {
+                // What the grid cannot resolve changes as much: it cannot tell.
+                Verdict::Ran(last_bit)
+            } else {
+                Verdict::Off(fine)
             }
         }
         _ => Verdict::Ran(last_bit),
@@ -228,14 +249,6 @@ fn unfinished(ending: &Ending) -> Verdict {
     match ending {
         Ending::Done { .. } => Verdict::Ran(None),
         Ending::Slow { needed } => Verdict::Slow(*needed),
-        Ending::Broken { error } => {
-            let time = match error {
-                EngineError::Unstable { time, .. }
-                | EngineError::BeyondTime { time, .. }
-                | EngineError::Stuck { time, .. }
-                | EngineError::Lost { time, .. } => *time,
-            };
-            Verdict::Breaks(time, error.to_string())
-        }
+        Ending::Broken { error } => Verdict::Breaks(error.time(), error.to_string()),
     }
 }

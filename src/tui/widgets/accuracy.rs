@@ -18,6 +18,8 @@ use crate::tui::numbers::{clock, scientific, short, with_unit};
 /// ten.
 const BOTTOM: f64 = -18.0;
 const TOP: f64 = 1.0;
+/// An error is of now unless it is older than this, s of wall time.
+const LATE: f64 = 0.3;
 
 /// Draws the lines about the columns.
 pub fn render_notices(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -95,10 +97,17 @@ fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
             let height = length(distance.height);
             let share = short(distance.height / size);
             let energy = short(distance.energy);
-            let since = clock(*since, model.page.sweep.span);
+            let span = model.page.sweep.span;
+            // A number that lags behind the column says when it was true.
+            let lag = shown.map_or(0.0, |side| side.seen.time - distance.time);
+            let when = if lag > LATE * model.speed.factor() {
+                format!("at {}", clock(distance.time, span))
+            } else {
+                format!("since {}", clock(*since, span))
+            };
             (
                 vec![
-                    format!("off {against} by {height} = {share} d, E by {energy}, since {since}"),
+                    format!("off {against} by {height} = {share} d, E by {energy}, {when}"),
                     format!("off {against} by {share} d, E by {energy}"),
                     format!("error {share} d"),
                 ],

@@ -6,6 +6,7 @@ use ratatui::style::Style;
 
 use super::details;
 use super::text::line;
+use crate::scene::Law;
 use crate::tui::model::Model;
 use crate::tui::numbers;
 use crate::tui::theme::Theme;
@@ -127,5 +128,14 @@ fn lines(model: &Model) -> Vec<Pieces> {
         last.push((mean, theme.side(index)));
     }
     lines.push(last);
+    // Under a power law t_c depends on the speed: say which one σ is taken with.
+    if let (Some(Law::Power(_)), Some(contact_time)) = (scene.law(), scene.contact_time()) {
+        let speed = numbers::short(scene.own_speed());
+        let words = format!(
+            " t_c {} at {speed} m/s",
+            numbers::with_unit(contact_time, "s")
+        );
+        lines.push(vec![(words, theme.quiet())]);
+    }
     lines
 }
