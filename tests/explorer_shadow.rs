@@ -164,7 +164,7 @@ fn a_coarse_grid_strays_and_an_exact_column_does_not() {
 fn what_cannot_keep_up_is_given_up_until_it_is_asked_for_again() {
     let (build, _) = counted(true);
     let live = in_the_midst(coarse_verlet(), build);
-    // Half a second of the clock's time is far ahead of a run that does not move.
+    // Its patience is counted in turns of the loop, so no machine is too fast for it.
     send(&live, Order::Step(5e-5));
     let frame = until(&live, is_given_up);
     assert!(frame.time >= 8e-5 * (1.0 - 1e-12), "the column went on");
@@ -221,11 +221,17 @@ fn an_edit_starts_it_again() {
     );
     let frame = until(&live, |frame| !frame.notes.is_empty());
     assert!(frame.notes[0].contains("starts again"), "{:?}", frame.notes);
-    let frame = until(&live, |frame| follows(frame).is_some());
-    let (since, distance) = follows(&frame).expect("just seen");
+    let compared = follows(&frame);
+    let (since, distance) = compared
+        .or_else(|| follows(&until(&live, |frame| follows(frame).is_some())))
+        .expect("just seen");
     // The grid's last point before 8e-5 s.
     assert!((since - 8e-5).abs() < 4e-7, "{since}");
-    assert_eq!((distance.height, distance.energy), (0.0, 0.0));
+    // The same gaps; two engines add the energies of ten beads up in their own ways.
+    assert!(
+        distance.height == 0.0 && distance.energy < 1e-14,
+        "{distance:?}"
+    );
 }
 
 #[test]
@@ -275,8 +281,9 @@ fn power_laws_are_held_against_a_tighter_tolerance() {
     assert!(tolerance(&tighter) <= 0.01 * tolerance(&scene));
     let grid = scene.with_method(MethodName::Gear).expect("Gear has laws");
     assert!(tolerance(&reference(&grid).expect("a grid has one")) <= 1e-12);
-    let least = reference(&reference(&tighter).expect("tighter still"));
-    assert!(reference(&least.expect("the least")).is_err());
+    // 1e-14 is the least that there is.
+    let least = reference(&tighter).expect("tighter still");
+    assert!(reference(&least).is_err());
     let hard = scene.with_method(MethodName::Ed).expect("it can be hard");
     assert!(reference(&hard).is_err());
 }
@@ -294,9 +301,9 @@ fn press(model: &mut Model, keys: &str) -> Option<Command> {
     keys.chars().map(press).last().flatten()
 }
 
-fn shadow(command: Option<Command>) -> Option<bool> {
+fn shadow(command: Option<&Command>) -> Option<bool> {
     match command {
-        Some(Command::Order(Order::Shadow(on))) => Some(on),
+        Some(Command::Order(Order::Shadow(on))) => Some(*on),
         _ => None,
     }
 }
@@ -307,17 +314,17 @@ fn the_key_asks_and_hard_spheres_say_why_not() {
         Model::new(preset("shaken"), None, COLOURS, (80, 24)).expect("it has a twin");
     assert!(model.notices().is_empty());
     let command = press(&mut model, "x");
-    assert_eq!(shadow(command), Some(true));
+    assert_eq!(shadow(command.as_ref()), Some(true));
     let message = model.message.as_ref().expect("the twin has none");
     assert!(message.text.contains("hard spheres") && !message.alarm);
     assert_eq!(model.notices().len(), 1);
     let command = press(&mut model, "x");
-    assert_eq!(shadow(command), Some(false));
+    assert_eq!(shadow(command.as_ref()), Some(false));
     assert!(model.notices().is_empty() && model.message.is_none());
     // Hard spheres on both sides.
     press(&mut model, "mmm");
     let command = press(&mut model, "x");
-    assert_eq!(shadow(command), Some(false));
+    assert_eq!(shadow(command.as_ref()), Some(false));
     let message = model.message.as_ref().expect("the reason is told");
     assert!(message.alarm && message.text.contains("hard spheres"));
 }

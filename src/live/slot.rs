@@ -51,7 +51,9 @@ fn merge(stale: Frame, mut newer: Frame) -> Frame {
         let fresh = std::mem::replace(&mut newer.history, stale.history);
         newer.history.set_capacity(fresh.capacity());
         newer.history.append(fresh);
-        newer.notes.splice(0..0, stale.notes);
+        let untold = stale.notes.into_iter();
+        let untold: Vec<String> = untold.filter(|note| !newer.notes.contains(note)).collect();
+        newer.notes.splice(0..0, untold);
         let surplus = newer.notes.len().saturating_sub(NOTES);
         newer.notes.drain(..surplus);
     }

@@ -212,8 +212,10 @@ impl Worker {
             if let Some(old) = old.filter(|old| old.as_ref().is_some_and(Shadow::is_given_up)) {
                 *shadow = shadow.take().and(old.take());
             } else if shadow.is_some() {
-                self.notes
-                    .push("the exact run starts again from here".into());
+                let note = "the exact run starts again from here".to_owned();
+                if !self.notes.contains(&note) {
+                    self.notes.push(note);
+                }
             }
         }
     }

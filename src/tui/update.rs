@@ -8,6 +8,7 @@ use super::keys::{self, Action};
 use super::model::{Change, Menu, Model, Overlay, Prompt, Speed};
 use crate::live::{Frame, Order};
 use crate::scene::parameters::{self, Parameter, Value};
+use crate::scene::{Law, Scene};
 
 /// What happens.
 #[derive(Debug)]
@@ -164,11 +165,38 @@ fn commit(
             return None;
         }
     };
-    let set = entry.and_then(|(parameter, value)| {
-        parameters::parse(parameter, value).and_then(|value| model.bench.set(parameter, value))
+    let entry = entry.and_then(|(parameter, value)| {
+        parameters::parse(parameter, value).map(|value| (parameter, value))
     });
-    match set {
-        Ok(change) => Some(changed(model, change, now)),
+    match entry {
+        Ok((parameter, value)) => set(model, parameter, value, now),
+        Err(error) => {
+            model.say(error.to_string(), true, now);
+            None
+        }
+    }
+}
+
+/// Sets a parameter, or says why not.
+fn set(
+    model: &mut Model,
+    parameter: &'static Parameter,
+    value: Value,
+    now: Instant,
+) -> Option<Command> {
+    match model.bench.set(parameter, value) {
+        Ok(change) => {
+            let command = changed(model, change, now);
+            let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
+            if parameter.name == "restitution" && model.bench.scenes().iter().any(ruled) {
+                model.say(
+                    "of hard spheres only: soft ones have the restitution of their law",
+                    false,
+                    now,
+                );
+            }
+            Some(command)
+        }
         Err(error) => {
             model.say(error.to_string(), true, now);
             None
@@ -232,7 +260,7 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             let change = model.bench.toggle_twin();
             changed_or_said(model, change, now)
         }
-        Action::Shadow => toggle_shadow(model, now),
+        Action::Shadow => Some(toggle_shadow(model, now)),
         Action::Presets => {
             model.overlay = Overlay::Presets(Menu::open(&model.preset.name));
             None
@@ -287,7 +315,7 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
 }
 
 /// Exact runs in the shadow of soft columns, on or off; on again where one was given up.
-fn toggle_shadow(model: &mut Model, now: Instant) -> Option<Command> {
+fn toggle_shadow(model: &mut Model, now: Instant) -> Command {
     let checks = model.bench.checks();
     let refused = checks
         .iter()
@@ -300,7 +328,7 @@ fn toggle_shadow(model: &mut Model, now: Instant) -> Option<Command> {
         let whose = if none { "no error" } else { "MD only" };
         model.say(format!("{whose}: {why}"), none, now);
     }
-    Some(Command::Order(Order::Shadow(model.shadow)))
+    Command::Order(Order::Shadow(model.shadow))
 }
 
 fn nudge(
@@ -330,13 +358,7 @@ fn nudge(
         model.say(at_the_end(parameter, value), false, now);
         return None;
     }
-    match model.bench.set(parameter, next) {
-        Ok(change) => Some(changed(model, change, now)),
-        Err(error) => {
-            model.say(error.to_string(), true, now);
-            None
-        }
-    }
+    set(model, parameter, next, now)
 }
 
 fn at_the_end(parameter: &Parameter, value: Value) -> String {

@@ -9,7 +9,7 @@ use super::raster::Raster;
 use super::rules;
 use super::text::{columns, fitted, line};
 use super::trace::clear;
-use crate::live::Accuracy;
+use crate::live::{Accuracy, Status};
 use crate::scene::{Method, Solver};
 use crate::tui::model::{Model, Notice};
 use crate::tui::numbers::{clock, scientific, short, with_unit};
@@ -18,6 +18,8 @@ use crate::tui::numbers::{clock, scientific, short, with_unit};
 /// ten.
 const BOTTOM: f64 = -18.0;
 const TOP: f64 = 1.0;
+/// An error is of now unless it is older than this, s of wall time.
+const LATE: f64 = 0.3;
 
 /// Draws the lines about the columns.
 pub fn render_notices(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -72,6 +74,12 @@ fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
         _ => return (Vec::new(), theme.quiet()),
     };
     let shown = model.numbers.sides.get(side);
+    if shown.is_some_and(|side| matches!(side.status, Status::Failed(_))) {
+        return (
+            vec!["no error: the column has stopped".to_owned()],
+            theme.quiet(),
+        );
+    }
     match shown.and_then(|side| side.accuracy.as_ref()) {
         Some(Accuracy::GivenUp(why)) => (
             vec![
@@ -89,10 +97,17 @@ fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
             let height = length(distance.height);
             let share = short(distance.height / size);
             let energy = short(distance.energy);
-            let since = clock(*since, model.page.sweep.span);
+            let span = model.page.sweep.span;
+            // A number that lags behind the column says when it was true.
+            let lag = shown.map_or(0.0, |side| side.seen.time - distance.time);
+            let when = if lag > LATE * model.speed.factor() {
+                format!("at {}", clock(distance.time, span))
+            } else {
+                format!("since {}", clock(*since, span))
+            };
             (
                 vec![
-                    format!("off {against} by {height} = {share} d, E by {energy}, since {since}"),
+                    format!("off {against} by {height} = {share} d, E by {energy}, {when}"),
                     format!("off {against} by {share} d, E by {energy}"),
                     format!("error {share} d"),
                 ],

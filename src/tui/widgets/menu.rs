@@ -77,7 +77,8 @@ pub fn render_texts(model: &Model, preset: &Preset, area: Rect, buffer: &mut Buf
     ];
     let mut row = 0;
     for (word, text) in parts {
-        let lines = wrapped(&format!("{word}{text}"), area.width.saturating_sub(2));
+        let text = format!("{word}{text}");
+        let lines = wrapped(&theme.text(&text), area.width.saturating_sub(2));
         for (k, text) in lines.iter().enumerate() {
             let (head, tail) = text.split_at(if k == 0 {
                 word.len().min(text.len())
