@@ -102,6 +102,8 @@ pub enum Command {
     /// Where each method breaks: stiff and extreme cases, and the largest stable step
     #[command(after_help = STABILITY_EXAMPLES)]
     Stability(StabilityArgs),
+    /// How fast the engines are on this machine
+    Speed(ReportArgs),
     /// Measure a scene at every point of a product of ranges, into a CSV file
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(SweepArgs),

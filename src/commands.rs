@@ -7,6 +7,7 @@ pub mod presets;
 mod progress;
 mod report;
 pub mod run;
+pub mod speed;
 pub mod stability;
 pub mod sweep;
 mod usage;
@@ -68,6 +69,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
         Some(Command::Run(args)) => run::run(&args),
         Some(Command::Accuracy(args)) => accuracy::run(&args),
         Some(Command::Stability(args)) => stability::run(&args),
+        Some(Command::Speed(args)) => speed::run(&args),
         Some(Command::Sweep(args)) => sweep::run(&args),
         Some(Command::Presets { action }) => presets::presets(action.as_ref()),
         None => {

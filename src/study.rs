@@ -9,6 +9,7 @@ mod fit;
 mod measure;
 pub mod plot;
 mod sensitivity;
+pub mod speed;
 pub mod stability;
 pub mod sweep;
 pub mod table;

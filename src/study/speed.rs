@@ -1,0 +1,202 @@
+//! How fast the engines are on this machine: bead steps and collisions per second.
+//!
+//! Machines are noisy, so methods take turns, medians count, and ratios within one run.
+
+use super::accuracy::Report;
+use super::table::{Cell, Column, Table};
+use super::{Tell, vary};
+use crate::physics::{Engine, Observation, build};
+use crate::scene::parameters::Value;
+use crate::scene::{Facts, MethodName, Preset, Scene, Start};
+use std::time::{Duration, Instant};
+
+/// Lengths of the columns.
+const BEADS: [usize; 3] = [10, 1000, 10_000];
+/// Turns that every case takes, and how long one is.
+const TURNS: usize = 7;
+const TURN: Duration = Duration::from_millis(40);
+/// Bead steps or collisions between two looks at the clock.
+const SLICE: u64 = 20_000;
+
+/// What a column does while it is timed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum State {
+    /// It rests under gravity, all contacts closed.
+    Contact,
+    /// It flies under gravity, all contacts open.
+    Flight,
+    /// Beads far apart meet a floor, two by two.
+    Collisions,
+}
+
+struct Case {
+    method: MethodName,
+    state: State,
+    scene: Scene,
+    rates: Vec<f64>,
+}
+
+/// Times every engine; about ten seconds.
+///
+/// # Panics
+/// Never: the scenes are right, and their engines go on.
+pub fn speed(quick: bool, tell: &mut Tell) -> Report {
+    let mut cases = cases();
+    let turns = if quick { 3 } else { TURNS };
+    let all = (turns * cases.len()) as f64;
+    for turn in 0..turns {
+        let done = turn * cases.len();
+        for (k, case) in cases.iter_mut().enumerate() {
+            tell(case.method.as_str(), (done + k) as f64 / all);
+            case.rates.push(rate(&case.scene));
+        }
+    }
+    for case in &mut cases {
+        case.rates.sort_by(f64::total_cmp);
+    }
+    Report {
+        tables: vec![table(&cases)],
+        plots: Vec::new(),
+    }
+}
+
+fn cases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for n in BEADS {
+        for state in [State::Contact, State::Flight] {
+            for method in [MethodName::Verlet, MethodName::Gear] {
+                cases.push(case(method, state, n));
+            }
+        }
+        for method in [MethodName::Ed, MethodName::Exact] {
+            cases.push(case(method, State::Collisions, n));
+        }
+    }
+    cases
+}
+
+fn case(method: MethodName, state: State, n: usize) -> Case {
+    let preset = Preset::load("fig1b").expect("an embedded preset");
+    let n = Value::Whole(n as u64);
+    // Without damping no column collapses, and collisions are as many as pairs.
+    let restitution = Value::Number(if state == State::Collisions { 1.0 } else { 0.9 });
+    let scene = vary(
+        &preset.scene,
+        Some(method),
+        &[("n", n), ("restitution", restitution)],
+    );
+    let scene = scene.expect("a scene of any length");
+    let start = match state {
+        State::Contact => Start::Resting,
+        State::Flight => Start::Separated {
+            s0: 1e-3,
+            jitter: false,
+            v0: 10.0,
+        },
+        // σ = 1000: contacts are pairs'.
+        State::Collisions => Start::Separated {
+            s0: 1.4e-3,
+            jitter: true,
+            v0: -0.2,
+        },
+    };
+    let heavy = state != State::Collisions;
+    let facts = Facts {
+        start,
+        gravity: heavy.then_some(9.81),
+        duration: heavy.then_some(1.0),
+        ..scene.facts().clone()
+    };
+    Case {
+        method,
+        state,
+        scene: Scene::new(facts).expect("a scene of that start"),
+        rates: Vec::new(),
+    }
+}
+
+/// Bead steps or collisions of one turn, per second.
+fn rate(scene: &Scene) -> f64 {
+    let slice = if scene.gravity.is_some() {
+        (SLICE / scene.n as u64).max(1)
+    } else {
+        SLICE
+    };
+    let mut seen = Observation::default();
+    let (mut count, mut time) = (0, Duration::ZERO);
+    while time < TURN {
+        let (mut engine, _) = build(scene, None);
+        let before = work(scene, &*engine, &mut seen);
+        let started = Instant::now();
+        loop {
+            let went_on = engine.advance(f64::MAX, slice);
+            let over = engine.is_over() || went_on.is_err();
+            if over || time + started.elapsed() >= TURN {
+                break;
+            }
+        }
+        time += started.elapsed();
+        count += work(scene, &*engine, &mut seen) - before;
+    }
+    count as f64 / time.as_secs_f64()
+}
+
+/// Bead steps, or collisions, done by an engine.
+fn work(scene: &Scene, engine: &dyn Engine, seen: &mut Observation) -> u64 {
+    engine.observe(seen);
+    match scene.method.name() {
+        MethodName::Ed => seen.events,
+        // A contact begins and ends.
+        MethodName::Exact => seen.events / 2,
+        _ => seen.steps * scene.n as u64,
+    }
+}
+
+fn table(cases: &[Case]) -> Table {
+    let mut table = Table::new(
+        "speed",
+        "Speed of the engines on this machine, one core",
+        vec![
+            Column::new("method", "method", ""),
+            Column::new("state", "column", ""),
+            Column::new("n", "N", ""),
+            Column::new("per_second", "per second", ""),
+            Column::new("nanoseconds", "each", "ns"),
+            Column::new("spread", "spread", ""),
+            Column::new("ratio", "ratio", ""),
+        ],
+    );
+    let median = |case: &Case| case.rates[case.rates.len() / 2];
+    for case in cases {
+        let first = |other: &&Case| {
+            let ruler = [MethodName::Verlet, MethodName::Ed].contains(&other.method);
+            ruler && other.state == case.state && other.scene.n == case.scene.n
+        };
+        let ruler = cases.iter().find(first).map_or(1.0, median);
+        let state = match case.state {
+            State::Contact => "in contact",
+            State::Flight => "in flight",
+            State::Collisions => "colliding",
+        };
+        let rate = median(case);
+        let (least, most) = (case.rates[0], case.rates[case.rates.len() - 1]);
+        table.push([
+            case.method.as_str().into(),
+            state.into(),
+            Cell::Count(case.scene.n as u64),
+            rate.into(),
+            (1e9 / rate).into(),
+            ((most - least) / rate).into(),
+            (rate / ruler).into(),
+        ]);
+    }
+    table.notes = vec![
+        "in contact: a column at rest, in flight: thrown upwards, both under gravity, in bead \
+         steps; colliding: launched at a floor with sigma = 1000 and eps = 1, in collisions."
+            .to_owned(),
+        "Medians of turns that the methods take one after another; spread: largest less \
+         smallest, over the median; ratio: to verlet, or for collisions to ed."
+            .to_owned(),
+    ];
+    table
+}
