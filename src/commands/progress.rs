@@ -1,6 +1,7 @@
 //! How far a run is, for a person who waits for it.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use std::fmt;
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 
@@ -116,8 +117,17 @@ impl RowsDone {
     pub fn new(done: usize, all: usize) -> Self {
         let wanted = io::stderr().is_terminal() && done < all;
         Self(wanted.then(|| {
-            let style = ProgressStyle::with_template("{bar:30} {pos}/{len} rows  {eta} left")
+            let style = ProgressStyle::with_template("{bar:30} {pos}/{len} rows  {left}")
                 .unwrap_or_else(|_| ProgressStyle::default_bar())
+                .with_key(
+                    "left",
+                    move |state: &ProgressState, text: &mut dyn fmt::Write| {
+                        // Before the first row nobody knows.
+                        if state.pos() > done as u64 {
+                            let _ = write!(text, "{:#} left", HumanDuration(state.eta()));
+                        }
+                    },
+                )
                 .progress_chars("##-");
             let target = ProgressDrawTarget::stderr();
             let bar = ProgressBar::with_draw_target(Some(all as u64), target).with_style(style);

@@ -60,7 +60,11 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     let done = before.rows + handed;
     let name = one_line(&args.out.to_string_lossy());
     let kept = format!("{done} of {} rows are in {name}", sweep.rows());
-    let go_on = "the same command with --resume, without --overwrite, goes on";
+    let go_on = if args.overwrite {
+        "the same command with --resume in place of --overwrite goes on"
+    } else {
+        "the same command with --resume goes on"
+    };
     if let Some(Failure::Failed(reason)) = broken.or(closed.err()) {
         return Err(Failure::Failed(format!("{reason}; {kept}, {go_on}")));
     }

@@ -191,7 +191,8 @@ impl Format {
 
 /// The cells of the swept parameters.
 fn start(values: &[Value]) -> String {
-    values.iter().map(|value| format!("{value},")).collect()
+    let cells: Vec<String> = values.iter().map(Value::to_string).collect();
+    cells.join(",") + ","
 }
 
 /// The facts of the first row that are not swept.
