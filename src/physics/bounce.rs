@@ -70,6 +70,12 @@ pub(crate) struct Arrival {
 }
 
 impl Bounce {
+    /// Whether the column has arrived since it last left: more contacts with the floor
+    /// are part of the same bounce, and need no [`Arrival`].
+    pub fn has_arrived(&self) -> bool {
+        self.arriving.is_some()
+    }
+
     /// The floor contact begins.
     pub fn begin(&mut self, arrival: Arrival) {
         // A bead that comes back while the column rises is part of the same bounce.

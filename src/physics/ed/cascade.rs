@@ -2,9 +2,9 @@
 
 use super::{Ed, Gap, Rule};
 use crate::physics::EngineError;
-use crate::physics::bounce::Arrival;
 use crate::physics::column::{totally_inelastic, velocities};
 use crate::physics::flight::Ground;
+use crate::physics::moment::translation;
 
 /// k(1 − ε) of k touching beads above which nothing comes back from the far end: what
 /// a wave carries there and back falls as e^{−k(1−ε)}, its energy as the square, 10⁻¹².
@@ -234,15 +234,19 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// The column arrives at the floor, if the floor contact is new.
     fn floor_contact_begins(&mut self, t: f64) {
-        if !self.state.books.contacts.closed()[0] {
-            let arrival = self.arrival(t);
+        let books = &self.state.books;
+        let new = !books.contacts.closed()[0] && !books.bounce.has_arrived();
+        if new && self.translation(t) < 0.0 {
+            let (gaps, rates) = self.gaps_and_rates(t);
+            let arrival = self.moment(&gaps, &rates, t).arrival();
             self.state.books.bounce.begin(arrival);
         }
     }
 
-    fn arrival(&self, t: f64) -> Arrival {
-        let (gaps, rates) = self.gaps_and_rates(t);
-        self.moment(&gaps, &rates, t).arrival()
+    /// [`Arrival::translation`](crate::physics::bounce::Arrival) at time `t`.
+    fn translation(&self, t: f64) -> f64 {
+        let rates = (0..self.gaps.len()).map(|i| self.at(i, t).1);
+        translation(rates, &self.masses)
     }
 
     /// Notes which contacts of a block began, ended, or did both.
@@ -267,8 +271,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
         let floor_hit = low == 0 && (floor_was_closed || self.collided[0] == self.cascades);
         if floor_hit && !self.state.books.contacts.closed()[0] {
-            let arrival = self.arrival(t);
-            self.state.books.bounce.end(arrival.translation);
+            let translation = self.translation(t);
+            self.state.books.bounce.end(translation);
         }
     }
 }

@@ -101,7 +101,7 @@ impl Stepper for Gear {
         let r = corrected(r, acceleration * (0.5 * self.h * self.h));
         let floor = (r[0] <= 0.0) != (self.floor[0] <= 0.0);
         self.floor = r;
-        any.any() | floor
+        any.any() || floor
     }
 
     fn coast(&mut self, steps: u64) {

@@ -74,7 +74,7 @@ impl Stepper for Verlet {
         let changed = self.pairs(chain, &mut power.lost.1);
         self.forces.floor = force;
         std::mem::swap(&mut self.forces.rest, &mut self.next);
-        changed | ((g <= 0.0) != (was <= 0.0))
+        changed || (g <= 0.0) != (was <= 0.0)
     }
 
     fn coast(&mut self, steps: u64) {

@@ -1,0 +1,232 @@
+//! A soft column on a grid of steps, as an engine.
+
+use super::chain::Chain;
+use super::ground::Ground;
+use super::stepper::{Power, Stepper};
+use super::upkeep::{HOUSEKEEPING, MOST_STEPS};
+use super::{Column, Grid};
+use crate::physics::ledger::Ledger;
+use crate::physics::moment::Moment;
+use crate::physics::observation::Observation;
+use crate::physics::power_law::Spring;
+use crate::physics::state::{Books, State, weight};
+use crate::physics::{Engine, EngineError, Outcome};
+use crate::scene::Scene;
+
+/// A soft column on a grid of steps.
+pub(super) struct Md<S, G, C> {
+    pub(super) stepper: S,
+    /// Since the last look at the numbers.
+    pub(super) power: Power,
+    pub(super) ground: G,
+    pub(super) chain: C,
+    pub(super) masses: Vec<f64>,
+    pub(super) springs: Vec<Spring>,
+    pub(super) gravity: f64,
+    pub(super) steps_per_contact: f64,
+    /// Energy in which the column would fall by a diameter, m²/s².
+    pub(super) least_energy: f64,
+    /// Time of grid point 0, s: the start, or the last edit.
+    pub(super) origin: f64,
+    pub(super) h: f64,
+    /// Grid points done.
+    pub(super) n: u64,
+    /// Where a flight without any contact or force began and where it will be
+    /// stepped again; in between gaps are linear in time and need no steps.
+    pub(super) flight: Option<(u64, u64)>,
+    /// Grid points passed in finished flights.
+    pub(super) skipped: u64,
+    pub(super) state: State,
+    pub(super) over: bool,
+}
+
+impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> {
+    pub(super) fn boxed(
+        scene: &Scene,
+        grid: Grid,
+        state: State,
+        column: Column<G>,
+        chain: C,
+    ) -> Box<dyn Engine> {
+        let Column {
+            mut ground,
+            masses,
+            springs,
+        } = column;
+        let h = grid.contact_time / grid.steps_per_contact;
+        ground.set_step(h);
+        let mut md = Self {
+            stepper: S::start(&state.gaps, &state.rates, h, &chain, &ground),
+            power: Power::default(),
+            gravity: weight(scene),
+            least_energy: weight(scene) * scene.diameter * masses.iter().sum::<f64>(),
+            origin: state.time,
+            n: 0,
+            flight: None,
+            skipped: 0,
+            over: false,
+            ground,
+            chain,
+            masses,
+            springs,
+            steps_per_contact: grid.steps_per_contact,
+            h,
+            state,
+        };
+        md.note_contacts();
+        let (gaps, rates) = (md.gaps(), md.rates());
+        if md.state.books.contacts.closed()[0] {
+            let arrival = md.moment(&gaps, &rates).arrival();
+            md.state.books.bounce.begin(arrival);
+        }
+        let energy = md.moment(&gaps, &rates).energy();
+        let error = md.state.ledger_error;
+        md.state.books.ledger.open(energy, error);
+        Box::new(md)
+    }
+
+    pub(super) fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64]) -> Moment<'a> {
+        Moment {
+            time: self.time(),
+            gaps,
+            rates,
+            plate: self.ground.plate(),
+            masses: &self.masses,
+            gravity: self.gravity,
+            springs: &self.springs,
+        }
+    }
+
+    pub(super) fn grid(&self, n: u64) -> f64 {
+        self.origin + n as f64 * self.h
+    }
+
+    /// The last grid point not after `until`.
+    fn last_step(&self, until: f64) -> u64 {
+        let estimate = ((until - self.origin) / self.h).max(0.0);
+        if estimate >= MOST_STEPS {
+            return u64::MAX;
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and 2^53"
+        )]
+        let mut n = estimate as u64;
+        while n > 0 && self.grid(n) > until {
+            n -= 1;
+        }
+        while self.grid(n + 1) <= until {
+            n += 1;
+        }
+        n
+    }
+
+    /// Does up to `steps` steps, not past a look at the numbers; how many it did.
+    fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
+        let steps = steps.min(HOUSEKEEPING - self.n % HOUSEKEEPING);
+        let (mut done, mut changed) = (0, false);
+        while done < steps && !changed {
+            changed = self
+                .stepper
+                .step(&self.chain, &mut self.ground, &mut self.power);
+            done += 1;
+        }
+        self.n += done;
+        if changed {
+            self.note_contacts();
+            if self.over && self.lost_the_energy() {
+                return Err(self.unstable());
+            }
+        }
+        if self.n.is_multiple_of(HOUSEKEEPING) {
+            self.housekeeping()?;
+        }
+        Ok(done)
+    }
+
+    pub(super) fn unstable(&self) -> EngineError {
+        EngineError::Unstable {
+            time: self.time(),
+            steps_per_contact: self.steps_per_contact,
+        }
+    }
+
+    pub(super) fn rates(&self) -> Vec<f64> {
+        self.stepper.rates(&self.chain, &self.ground)
+    }
+
+    /// The gaps now, those of a flight included.
+    pub(super) fn gaps(&self) -> Vec<f64> {
+        let gaps = self.stepper.gaps();
+        let Some((from, _)) = self.flight else {
+            return gaps.collect();
+        };
+        let flown = (self.n - from) as f64 * self.h;
+        gaps.zip(self.rates()).map(|(g, w)| g + flown * w).collect()
+    }
+
+    /// What is accounted for, up to now.
+    pub(super) fn books(&self) -> Books {
+        let mut books = self.state.books.clone();
+        fold(&mut books.ledger, &self.power, self.h);
+        let flying = self.flight.map_or(0, |(from, _)| self.n - from);
+        books.steps += self.n - self.skipped - flying;
+        books
+    }
+}
+
+pub(super) fn fold(ledger: &mut Ledger, power: &Power, h: f64) {
+    ledger.lost.add(power.all_lost() * h);
+    ledger.plate_work.add(power.plate * h);
+}
+
+impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for Md<S, G, C> {
+    fn time(&self) -> f64 {
+        self.grid(self.n)
+    }
+
+    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+        let target = self.last_step(until);
+        let mut left = budget;
+        loop {
+            self.fly(target);
+            if self.n >= target || left == 0 {
+                break;
+            }
+            left -= self.run(left.min(target - self.n))?;
+        }
+        Ok(match (self.n >= target, self.over) {
+            (false, _) => Outcome::OutOfBudget,
+            (true, true) => Outcome::Over,
+            (true, false) => Outcome::Reached,
+        })
+    }
+
+    fn is_over(&self) -> bool {
+        self.over
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        None
+    }
+
+    fn observe(&self, into: &mut Observation) {
+        self.moment(&self.gaps(), &self.rates())
+            .observe(&self.books(), into);
+    }
+
+    fn state(&self) -> State {
+        let (gaps, rates, books) = (self.gaps(), self.rates(), self.books());
+        let energy = self.moment(&gaps, &rates).energy();
+        State {
+            time: self.time(),
+            plate: self.ground.plate(),
+            ledger_error: books.ledger.error(energy),
+            springs: self.springs.clone(),
+            books,
+            gaps,
+            rates,
+        }
+    }
+}
