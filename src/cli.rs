@@ -47,6 +47,13 @@ Examples:
   beadlab stability --budget 10          more time for what is slow
   beadlab stability --format json        every verdict in full";
 
+const FIGURE_EXAMPLES: &str = "\
+Examples:
+  beadlab figure 2a                      a figure: its plot, and how near it comes
+  beadlab figure table1 --format csv     every number behind it
+  beadlab figure all --out report        the whole paper, as text, CSV, JSON and SVG
+  beadlab figure all --quick             the same with fewer points and shorter runs";
+
 const PRESET_EXAMPLES: &str = "\
 A scene of your own:
   beadlab presets show fig5b > my-column.toml
@@ -82,6 +89,9 @@ pub enum Command {
     /// Where each method breaks: stiff and extreme cases, and the largest stable step
     #[command(after_help = STABILITY_EXAMPLES)]
     Stability(StabilityArgs),
+    /// The paper's figures, tables and sentences, beside what it says
+    #[command(after_help = FIGURE_EXAMPLES)]
+    Figure(FigureArgs),
     /// List the presets, show one as TOML, or check files of your own
     #[command(after_help = PRESET_EXAMPLES)]
     Presets {
@@ -177,6 +187,18 @@ pub struct StabilityArgs {
     /// Only the largest stable steps, found and foretold
     #[arg(long)]
     pub steps: bool,
+
+    /// How it is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
+}
+
+/// Arguments of `beadlab figure`.
+#[derive(Debug, Args)]
+pub struct FigureArgs {
+    /// A figure's name, like 2a or table1, or all
+    #[arg(value_name = "NAME|all")]
+    pub name: String,
 
     /// How it is reported.
     #[command(flatten)]
