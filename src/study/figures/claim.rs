@@ -25,7 +25,7 @@ impl Claim {
     pub fn near(what: impl Into<String>, paper: f64, here: f64, part: f64) -> Self {
         Self {
             what: what.into(),
-            paper: paper.to_string(),
+            paper: printed(paper),
             here,
             allowed: format!("{} %", (1e4 * part).round() / 1e2),
             within: (here - paper).abs() <= part * paper.abs(),
@@ -37,9 +37,9 @@ impl Claim {
     pub fn off(what: impl Into<String>, paper: f64, here: f64, by: f64) -> Self {
         Self {
             what: what.into(),
-            paper: paper.to_string(),
+            paper: printed(paper),
             here,
-            allowed: format!("+-{by}"),
+            allowed: format!("+-{}", printed(by)),
             within: (here - paper).abs() <= by,
             reason: None,
         }
@@ -51,7 +51,7 @@ impl Claim {
             what: what.into(),
             paper: paper.into(),
             here,
-            allowed: format!("<= {most}"),
+            allowed: format!("<= {}", printed(most)),
             within: here <= most,
             reason: None,
         }
@@ -63,7 +63,7 @@ impl Claim {
             what: what.into(),
             paper: paper.into(),
             here,
-            allowed: format!(">= {least}"),
+            allowed: format!(">= {}", printed(least)),
             within: here >= least,
             reason: None,
         }
@@ -86,6 +86,15 @@ impl Claim {
             (Some(reason), false) => Some(format!("{}: {reason}", self.what)),
             _ => None,
         }
+    }
+}
+
+/// A number as a person would write it; −0 is 0.
+fn printed(x: f64) -> String {
+    if x != 0.0 && x.abs() < 1e-4 {
+        format!("{x:e}")
+    } else {
+        (x + 0.0).to_string()
     }
 }
 

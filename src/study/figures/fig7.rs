@@ -8,6 +8,7 @@ use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
 use crate::study::Results;
 use crate::study::accuracy::facts;
+use crate::study::fit::median;
 use crate::study::plot::{Axis, Look, Plot, Series};
 use crate::study::table::{Column, Table};
 
@@ -92,14 +93,16 @@ fn error(results: &Results) -> f64 {
 }
 
 fn judge(alphas: &[f64], found: &[(Results, f64)], sheet: &mut Sheet) {
-    let lower = "Eq. (10) is a fit to the hard spheres of Ref. 39, for many beads; the mean over \
-                 time of these ten lies below it by both methods alike, see the table";
-    let mut apart = 0.0_f64;
+    let lower = "Eq. (10) is stated for large N and strong shaking; the means of these ten \
+                 beads lie some per cent below it by both methods alike";
+    let locked = "at some alpha a column lands with the plate's own velocity, stays closed and \
+                  repeats itself; that run, with its small standard error, is far off the others";
+    let mut apart = Vec::new();
     let mut off = 0.0_f64;
     for (alpha, pair) in alphas.iter().zip(found.chunks_exact(2)) {
         let ((md, eq), (ed, _)) = (&pair[0], &pair[1]);
         if *alpha >= COMMON {
-            apart = apart.max((height(md) / height(ed) - 1.0).abs());
+            apart.push((height(md) / height(ed) - 1.0).abs());
             off = off.max((height(md) / eq - 1.0).abs());
         }
         if *alpha == COMMON {
@@ -121,12 +124,16 @@ fn judge(alphas: &[f64], found: &[(Results, f64)], sheet: &mut Sheet) {
             }
         }
     }
-    sheet.claims.push(Claim::most(
-        "alpha >= 20: MD over ED, less 1",
-        "agree",
-        apart,
-        0.1,
-    ));
+    let most = apart.iter().copied().fold(0.0_f64, f64::max);
+    sheet.claims.extend([
+        Claim::most(
+            "alpha >= 20: |MD/ED - 1|, median",
+            "agree",
+            median(&apart),
+            0.05,
+        ),
+        Claim::most("alpha >= 20: |MD/ED - 1|, most", "agree", most, 0.15).because(locked),
+    ]);
     sheet
         .claims
         .push(Claim::most("alpha >= 20: MD off Eq. (10)", "agree", off, 0.1).because(lower));
