@@ -67,6 +67,13 @@ and its reason in the column `note`.
 Exit codes: 0 done, 1 a run failed or the file cannot be written, 2 bad input,
 130 or 143 ended by Ctrl-C or TERM.";
 
+const FIGURE_EXAMPLES: &str = "\
+Examples:
+  beadlab figure 2a                      a figure: its plot, and how near it comes
+  beadlab figure table1 --format csv     every number behind it
+  beadlab figure all --out report        the whole paper, as text, CSV, JSON and SVG
+  beadlab figure all --quick             the same with fewer points and shorter runs";
+
 const PRESET_EXAMPLES: &str = "\
 A scene of your own:
   beadlab presets show fig5b > my-column.toml
@@ -107,6 +114,9 @@ pub enum Command {
     /// Measure a scene at every point of a product of ranges, into a CSV file
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(SweepArgs),
+    /// The paper's figures, tables and sentences, beside what it says
+    #[command(after_help = FIGURE_EXAMPLES)]
+    Figure(FigureArgs),
     /// List the presets, show one as TOML, or check files of your own
     #[command(after_help = PRESET_EXAMPLES)]
     Presets {
@@ -247,6 +257,18 @@ pub struct SweepArgs {
     /// Runs at the same time; as many as there are cores where nobody says otherwise
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
+}
+
+/// Arguments of `beadlab figure`.
+#[derive(Debug, Args)]
+pub struct FigureArgs {
+    /// A figure's name, like 2a or table1, or all
+    #[arg(value_name = "NAME|all")]
+    pub name: String,
+
+    /// How it is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
 }
 
 /// How a study is reported.

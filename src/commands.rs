@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod explore;
+pub mod figure;
 mod output;
 pub mod presets;
 mod progress;
@@ -71,6 +72,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
         Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Speed(args)) => speed::run(&args),
         Some(Command::Sweep(args)) => sweep::run(&args),
+        Some(Command::Figure(args)) => figure::run(&args),
         Some(Command::Presets { action }) => presets::presets(action.as_ref()),
         None => {
             let args = cli.explore;

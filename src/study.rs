@@ -5,6 +5,7 @@
 
 pub mod accuracy;
 mod drive;
+pub mod figures;
 mod fit;
 mod measure;
 pub mod plot;

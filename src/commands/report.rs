@@ -5,6 +5,8 @@ use super::{Failure, printed};
 use crate::cli::{Format, ReportArgs};
 use crate::scene::words::one_line;
 use crate::study::accuracy::Report;
+use crate::study::plot::Plot;
+use crate::study::table::Table;
 use crate::tui::theme::Theme;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
@@ -16,6 +18,32 @@ const WIDEST: usize = 100;
 
 /// Lines of a plot.
 const LINES: usize = 22;
+
+/// A part of a report.
+pub(super) enum Part {
+    /// A table to read.
+    Shown(Table),
+    /// A table too long to read: not in text.
+    Filed(Table),
+    /// A plot.
+    Drawn(Plot),
+}
+
+impl Part {
+    fn table(&self) -> Option<&Table> {
+        match self {
+            Self::Shown(table) | Self::Filed(table) => Some(table),
+            Self::Drawn(_) => None,
+        }
+    }
+
+    fn plot(&self) -> Option<&Plot> {
+        match self {
+            Self::Drawn(plot) => Some(plot),
+            _ => None,
+        }
+    }
+}
 
 /// Where a report goes; made before the work, so that it does not end in vain.
 pub(super) struct Destination<'a> {
@@ -35,12 +63,19 @@ impl<'a> Destination<'a> {
 
     /// Prints the report, and writes all its parts into the folder.
     pub fn write(self, report: &Report) -> Result<(), Failure> {
+        let tables = report.tables.iter().cloned().map(Part::Shown);
+        let plots = report.plots.iter().cloned().map(Part::Drawn);
+        self.write_parts(&tables.chain(plots).collect::<Vec<_>>())
+    }
+
+    /// Prints the parts in their order, and writes each into the folder.
+    pub fn write_parts(self, report: &[Part]) -> Result<(), Failure> {
         if let Some((folder, mut text)) = self.folder {
             let all = in_words(report, WIDTH, true);
             let written = text.write_all(all.as_bytes());
             text.judge(written)?;
             text.finish()?;
-            write_parts(&folder, report)?;
+            write_files(&folder, report)?;
         }
         let text = match self.args.format {
             Format::Text => {
@@ -71,14 +106,14 @@ fn open_folder(path: &Path) -> Result<Output, Failure> {
 }
 
 /// Each table as CSV, each plot as SVG, and everything as JSON.
-fn write_parts(folder: &Path, report: &Report) -> Result<(), Failure> {
+fn write_files(folder: &Path, report: &[Part]) -> Result<(), Failure> {
     let tables = report
-        .tables
         .iter()
+        .filter_map(Part::table)
         .map(|t| (format!("{}.csv", t.name), t.csv()));
     let plots = report
-        .plots
         .iter()
+        .filter_map(Part::plot)
         .map(|p| (format!("{}.svg", p.name), p.svg()));
     let json = ("report.json".to_owned(), in_json(report));
     for (name, text) in tables.chain(plots).chain([json]) {
@@ -98,25 +133,22 @@ fn columns() -> usize {
     crossterm::terminal::size().map_or(WIDTH, |(columns, _)| usize::from(columns).clamp(20, WIDEST))
 }
 
-fn in_words(report: &Report, width: usize, ascii: bool) -> String {
-    let tables = report.tables.iter().map(|table| table.text(width));
-    let plots = report
-        .plots
-        .iter()
-        .map(|plot| plot.terminal(width, LINES, ascii));
-    tables.chain(plots).collect::<Vec<_>>().join("\n")
+fn in_words(report: &[Part], width: usize, ascii: bool) -> String {
+    let texts = report.iter().filter_map(|part| match part {
+        Part::Shown(table) => Some(table.text(width)),
+        Part::Drawn(plot) => Some(plot.terminal(width, LINES, ascii)),
+        Part::Filed(_) => None,
+    });
+    texts.collect::<Vec<_>>().join("\n")
 }
 
-fn in_csv(report: &Report) -> String {
-    let tables: Vec<_> = report
-        .tables
-        .iter()
-        .map(crate::study::table::Table::csv)
-        .collect();
-    tables.join("\n")
+fn in_csv(report: &[Part]) -> String {
+    let tables = report.iter().filter_map(Part::table).map(Table::csv);
+    tables.collect::<Vec<_>>().join("\n")
 }
 
-fn in_json(report: &Report) -> String {
-    let text = serde_json::to_string_pretty(&report.tables);
+fn in_json(report: &[Part]) -> String {
+    let tables: Vec<&Table> = report.iter().filter_map(Part::table).collect();
+    let text = serde_json::to_string_pretty(&tables);
     text.expect("words and finite numbers can be written") + "\n"
 }

@@ -299,13 +299,22 @@ impl<G: Ground> Exact<G> {
         self.state.books.events += 1;
         self.state.books.contacts.note(i, closed, self.absolute(t));
         if i == 0 {
-            let (gaps, rates) = self.gaps_and_rates(t);
-            let arrival = self.moment(&gaps, &rates, t).arrival();
-            if closed {
-                self.state.books.bounce.begin(arrival);
-            } else {
-                self.state.books.bounce.end(arrival.translation);
-            }
+            self.note_floor(closed, t);
+        }
+    }
+
+    /// The floor's contact begins or ends. A column that has arrived and meets the floor
+    /// again is part of the same bounce, and not measured: that would cost O(N).
+    fn note_floor(&mut self, closed: bool, t: f64) {
+        if closed && self.state.books.bounce.has_arrived() {
+            return;
+        }
+        let (gaps, rates) = self.gaps_and_rates(t);
+        let arrival = self.moment(&gaps, &rates, t).arrival();
+        if closed {
+            self.state.books.bounce.begin(arrival);
+        } else {
+            self.state.books.bounce.end(arrival.translation);
         }
     }
 

@@ -1,0 +1,99 @@
+//! Many runs side by side.
+
+use super::{FigureError, Pains};
+use crate::study::Tell;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+/// Where a figure's runs are done, and who is told how far they are.
+pub(super) struct Bench<'a, 'b> {
+    what: String,
+    pains: Pains,
+    tell: &'a mut Tell<'b>,
+}
+
+impl<'a, 'b> Bench<'a, 'b> {
+    pub fn new(name: &str, pains: Pains, tell: &'a mut Tell<'b>) -> Self {
+        Self {
+            what: format!("figure {name}"),
+            pains,
+            tell,
+        }
+    }
+
+    /// One of two things, by the pains that are taken.
+    pub fn pick<T>(&self, quick: T, full: T) -> T {
+        if self.pains.quick { quick } else { full }
+    }
+
+    /// Does the work on every item, on all threads; the results in the items' order.
+    ///
+    /// The error is that of the first item that has one, however many threads there are:
+    /// items are begun in their order, so none before it is left out.
+    pub fn each<I: Sync, T: Send>(
+        &mut self,
+        items: &[I],
+        work: impl Fn(&I) -> Result<T, FigureError> + Sync,
+    ) -> Result<Vec<T>, FigureError> {
+        let next = AtomicUsize::new(0);
+        let failed = AtomicBool::new(false);
+        let (sender, receiver) = mpsc::channel();
+        let mut results: Vec<Option<Result<T, FigureError>>> = Vec::new();
+        results.resize_with(items.len(), || None);
+        thread::scope(|scope| {
+            for _ in 0..self.pains.threads.clamp(1, items.len().max(1)) {
+                let (sender, next, failed, work) = (sender.clone(), &next, &failed, &work);
+                scope.spawn(move || {
+                    while !failed.load(Ordering::Relaxed) {
+                        let at = next.fetch_add(1, Ordering::Relaxed);
+                        let Some(item) = items.get(at) else { break };
+                        let result = work(item);
+                        failed.fetch_or(result.is_err(), Ordering::Relaxed);
+                        if sender.send((at, result)).is_err() {
+                            break;
+                        }
+                    }
+                });
+            }
+            drop(sender);
+            for (done, (at, result)) in receiver.iter().enumerate() {
+                results[at] = Some(result);
+                (self.tell)(&self.what, (done + 1) as f64 / items.len() as f64);
+            }
+        });
+        results.into_iter().flatten().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::parameters;
+
+    fn bench(threads: usize, items: &[u64]) -> Result<Vec<u64>, FigureError> {
+        let pains = Pains {
+            quick: true,
+            threads,
+        };
+        Bench::new("test", pains, &mut |_, _| {}).each(items, |&item| match item {
+            13 | 17 => Err(FigureError::Scene(
+                parameters::named(&format!("no{item}")).expect_err("no such parameter"),
+            )),
+            item => Ok(item * item),
+        })
+    }
+
+    #[test]
+    fn results_and_errors_do_not_depend_on_threads() {
+        let fine: Vec<u64> = (100..150).collect();
+        let squares: Vec<u64> = fine.iter().map(|k| k * k).collect();
+        let bad: Vec<u64> = (0..50).collect();
+        for threads in [1, 2, 7, 100] {
+            assert_eq!(bench(threads, &fine), Ok(squares.clone()));
+            let error = bench(threads, &bad).expect_err("13 fails");
+            assert!(error.to_string().contains("no13"), "{error}");
+        }
+        assert_eq!(bench(2, &[]), Ok(Vec::new()));
+    }
+}

@@ -1,0 +1,52 @@
+//! Single runs of scenes, without anybody who looks on.
+
+use super::FigureError;
+use crate::physics::Observation;
+use crate::scene::parameters::Value;
+use crate::scene::{MethodName, Preset, Scene};
+use crate::study::{Drive, Results, measure, vary};
+use std::ops::ControlFlow;
+
+/// A preset's scene under a method, with other values.
+pub(super) fn preset(
+    name: &str,
+    method: Option<MethodName>,
+    values: &[(&'static str, Value)],
+) -> Result<Scene, FigureError> {
+    Ok(vary(&Preset::load(name)?.scene, method, values)?)
+}
+
+/// What a run measures.
+pub(super) fn results(scene: &Scene) -> Result<Results, FigureError> {
+    let mut watch = |_| ControlFlow::Continue(());
+    Ok(measure(scene, &mut Drive::new(scene, &mut watch))?)
+}
+
+/// Looks at a run at so many even times from 0 to `end`, s.
+pub(super) fn looks(
+    scene: &Scene,
+    end: f64,
+    count: u32,
+    mut look: impl FnMut(&Observation),
+) -> Result<(), FigureError> {
+    let mut watch = |_| ControlFlow::Continue(());
+    let mut drive = Drive::new(scene, &mut watch);
+    let mut seen = Observation::default();
+    for k in 0..=count {
+        drive.advance(end * f64::from(k) / f64::from(count))?;
+        drive.observe(&mut seen);
+        look(&seen);
+    }
+    Ok(())
+}
+
+/// Numbers from `from` to `to` in even ratios, both ends included.
+pub(super) fn decades(from: f64, to: f64, count: u32) -> Vec<f64> {
+    let step = (to / from).ln() / f64::from(count.max(2) - 1);
+    (0..count)
+        .map(|k| match k {
+            k if k + 1 == count => to,
+            k => from * (f64::from(k) * step).exp(),
+        })
+        .collect()
+}

@@ -1,0 +1,190 @@
+//! `beadlab figure`: its numbers against the paper's own and against closed forms.
+
+#[path = "support/program.rs"]
+mod program;
+
+use program::{json, printed, refused};
+use serde_json::Value;
+
+/// The tables of a quick figure.
+fn tables(name: &str) -> Vec<Value> {
+    let text = printed(&["figure", name, "--quick", "--format", "json"]);
+    serde_json::from_str(&text).expect("a list of tables")
+}
+
+fn rows<'a>(tables: &'a [Value], name: &str) -> &'a [Value] {
+    let table = tables.iter().find(|table| table["name"] == name);
+    let table = table.unwrap_or_else(|| panic!("no table {name}"));
+    table["rows"].as_array().expect("rows")
+}
+
+fn number(row: &Value, column: &str) -> f64 {
+    row[column]
+        .as_f64()
+        .unwrap_or_else(|| panic!("no {column} in {row}"))
+}
+
+/// What a claim found, by the beginning of what it is about.
+fn claim(tables: &[Value], what: &str) -> (f64, String) {
+    let claims = &tables[0]["rows"];
+    let row = claims.as_array().expect("rows").iter().find(|row| {
+        let text = row["what"].as_str().unwrap_or_default();
+        text.starts_with(what)
+    });
+    let row = row.unwrap_or_else(|| panic!("no claim {what}"));
+    let within = row["within"].as_str().unwrap_or_default().to_owned();
+    (number(row, "beadlab"), within)
+}
+
+/// Slope of ln y over ln x, by the first and the last row.
+fn power(rows: &[&Value], x: &str, y: &str) -> f64 {
+    let (first, last) = (rows[0], rows[rows.len() - 1]);
+    (number(last, y) / number(first, y)).ln() / (number(last, x) / number(first, x)).ln()
+}
+
+#[test]
+fn exponents_of_table_1_over_fifteen_decades() {
+    let tables = tables("table1");
+    let all = rows(&tables, "table1");
+    for (beta, gamma) in [(0.0, 0.0), (0.0, 0.2), (0.5, 0.0), (0.5, 0.5), (0.5, 0.25)] {
+        let mine: Vec<&Value> = all
+            .iter()
+            .filter(|row| number(row, "beta") == beta && number(row, "gamma") == gamma)
+            .collect();
+        let decades = (number(mine[mine.len() - 1], "v0") / number(mine[0], "v0")).log10();
+        assert!(decades > 14.99, "{decades}");
+        // Losses are at most 1e-3, and so are the corrections to the three powers, which
+        // over 15 decades are less than a thousandth of the exponent's unit.
+        for (column, exponent) in [
+            ("x_max", 2.0 / (2.0 + beta)),
+            ("t_c", -beta / (2.0 + beta)),
+            ("loss", (2.0 * gamma - beta) / (2.0 + beta)),
+        ] {
+            let found = power(&mine, "v0", column);
+            assert!(
+                (found - exponent).abs() < 1e-3,
+                "{beta} {gamma} {column}: {found} {exponent}"
+            );
+        }
+        for row in mine {
+            // Within 0.1 %, as the appendix says of weak damping; here 1 − ε <= 1e-3.
+            let depth = number(row, "x_max") / number(row, "x_max_a1") - 1.0;
+            let time = number(row, "t_c") / number(row, "t_c_a2") - 1.0;
+            assert!(depth.abs() < 1e-3 && time.abs() < 1e-3, "{row}");
+        }
+    }
+}
+
+#[test]
+fn a_linear_pair_at_a_tenth_lost_is_not_within_a_thousandth_of_a1() {
+    // x_max ω_0/v = exp(−(μ/ω) atan(ω/μ)) and t_c ω_0/π = √(1 + (μ/ω)²), with
+    // μ/ω = −ln(ε)/π: closed forms at ε = 0.9.
+    let ratio = -0.9_f64.ln() / std::f64::consts::PI;
+    let depth = (-ratio * (1.0 / ratio).atan()).exp() - 1.0;
+    let time = (1.0 + ratio * ratio).sqrt() - 1.0;
+    let tables = tables("table1");
+    let row = &rows(&tables, "table1-damped")[0];
+    // The interpolated depth has ten digits, and ε is bisected to 1e-10.
+    assert!((number(row, "restitution") - 0.9).abs() < 1e-9);
+    assert!((number(row, "x_max_off") - depth).abs() < 1e-8, "{row}");
+    assert!((number(row, "t_c_off") - time).abs() < 1e-8, "{row}");
+    assert_eq!(claim(&tables, "Hooke, eps 0.9: x_max").1, "NO");
+    assert_eq!(claim(&tables, "Hooke, eps 0.9: t_c").1, "yes");
+}
+
+#[test]
+fn materials_of_section_3() {
+    let tables = tables("table1");
+    // The paper's inputs have three digits.
+    let (time, _) = claim(&tables, "steel, 1 m/s: t_c");
+    assert!((time - 4.56).abs() < 0.005, "{time}");
+    let (depth, _) = claim(&tables, "steel, 1 m/s: x_max");
+    assert!((depth - 1.55).abs() < 0.005, "{depth}");
+}
+
+#[test]
+fn one_curve_over_sigma() {
+    let tables = tables("2a");
+    assert!(rows(&tables, "fig2a").len() >= 300);
+    // Without gravity the linear column has no other scale: only rounding is left.
+    assert!(claim(&tables, "even starts").0 < 1e-9);
+    assert_eq!(claim(&tables, "eps_eff of ED").1, "yes");
+    for row in rows(&tables, "fig2a") {
+        let eps = number(row, "eps_eff");
+        if number(row, "sigma") < 1e-5 {
+            // Fig. 1(a)'s limit, to the order of σ.
+            assert!((eps - 0.966_687).abs() < 1e-4, "{row}");
+        }
+    }
+}
+
+#[test]
+fn slopes_and_sentences_of_columns_without_gaps() {
+    let tables = tables("2b");
+    for (what, slope) in [
+        ("slope, eps 0.6, N 50", -0.5),
+        ("slope, eps 0.975, N 50", -0.315),
+    ] {
+        // Guides for the eye in the paper, towards which the points tend.
+        assert!((claim(&tables, what).0 - slope).abs() < 0.03);
+    }
+    let tables = self::tables("sec4a");
+    // t_k is N t_c but for the column's ends; E_r goes with v² but for rounding.
+    assert!((claim(&tables, "t_k/(N t_c), N = 10,").0 - 1.0).abs() < 0.1);
+    assert!((claim(&tables, "power of v0 in E_r").0 - 2.0).abs() < 1e-9);
+    assert_eq!(claim(&tables, "eps > 0.9: eps_eff/eps").1, "NO");
+    assert_eq!(claim(&tables, "ED, N 10, eps 0.6").1, "yes");
+}
+
+#[test]
+fn three_laws_over_the_length() {
+    let tables = tables("3");
+    let all = rows(&tables, "fig3");
+    let at = |law: &str, n: u64| {
+        let row = all.iter().find(|row| row["law"] == law && row["n"] == n);
+        number(row.unwrap_or_else(|| panic!("{law} {n}")), "eps_eff")
+    };
+    // Known to five digits.
+    for (n, eps) in [(1, 0.85414), (10, 0.94005), (50, 0.96860)] {
+        assert!((at("Hooke", n) - eps).abs() < 1e-5, "{n}");
+    }
+    for (law, preset) in [("Hertz", "fig3-hertz"), ("Hertz-Kuwabara-Kono", "fig3-hkk")] {
+        // The same run by another command.
+        let run = json(&[preset, "--set", "n=5"]);
+        let eps = number(&run, "eps_eff");
+        assert!((at(law, 5) - eps).abs() < 1e-6, "{law}: {eps}");
+    }
+}
+
+#[test]
+fn hard_beads_stay_closed_on_a_plate_and_soft_ones_part() {
+    let hard = tables("6a");
+    assert_eq!(claim(&hard, "widest opening").1, "yes");
+    // The closed form of one inelastic body at α = 2, seen at 200 looks a period.
+    assert!((claim(&hard, "apex").0 - 1.25).abs() < 1e-3);
+    assert!(claim(&tables("6b"), "widest opening").0 > 1.0);
+}
+
+#[test]
+fn the_same_figure_twice_is_the_same_bytes() {
+    let once = || printed(&["figure", "2c", "--quick", "--format", "csv"]);
+    let text = once();
+    assert_eq!(text, once());
+    assert!(text.contains("# seed = ") && text.contains("# units: "));
+}
+
+#[test]
+fn bad_names_and_folders_are_refused_in_a_line() {
+    let line = refused(&["figure", "2x"]);
+    assert!(
+        line.contains("2x") && line.contains("did you mean 2a?"),
+        "{line}"
+    );
+    let line = refused(&["figure", "tabel1"]);
+    assert!(line.contains("did you mean table1?"), "{line}");
+    let line = refused(&["figure", "1a", "--out", "/no/such/folder/here"]);
+    assert!(
+        line.contains("--out") && line.contains("/no/such"),
+        "{line}"
+    );
+}
