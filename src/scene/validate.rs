@@ -3,8 +3,8 @@
 use super::parameters::{self, Value};
 use super::{Facts, Floor, Law, Method, PowerLaw, Scene, SceneError, Solver, Start, rebound};
 
-/// Largest width of the diameters, over the mean diameter: beads keep 1/20 of it.
-const WIDEST: f64 = 1.9;
+/// Largest width of the diameters, over the mean diameter: up to 1:100 and beyond.
+const WIDEST: f64 = 1.97;
 
 /// Slowest approach to a floor without gravity, m/s: the square of a slower one, its
 /// energy, leaves the range of numbers before a column has spent it.

@@ -252,10 +252,10 @@ pub(super) static ROWS: &[Parameter] = &[
         help: "width of the spread of diameters, 0 for equal beads",
         kind: Kind::Number {
             min: 0.0,
-            max: 1.9,
+            max: 1.97,
             scale: WIDTHS,
         },
-        note: " (at most 1.9 diameters)",
+        note: " (at most 1.97 diameters)",
         live: false,
         get: |facts| Some(Value::Number(facts.width)),
         set: |facts, value| number(value, |x| facts.width = x),

@@ -126,7 +126,7 @@ fn parting(name: &str, scene: &Scene, period: f64, samples: &[Sample], sheet: &m
 fn clustered(scene: &Scene, samples: &[Sample], sheet: &mut Sheet) {
     let opened = samples.iter().map(|s| s.opened).fold(0.0_f64, f64::max) / scene.diameter;
     let amplitude = samples.iter().map(|s| s.floor).fold(0.0_f64, f64::max);
-    let top = samples.iter().flat_map(|s| s.heights.first().copied());
+    let top = samples.iter().filter_map(|s| s.heights.first().copied());
     let apex = top.fold(0.0_f64, f64::max) / amplitude;
     sheet.claims.extend([
         Claim::most("widest opening over d", "far below d", opened, 0.01),

@@ -147,24 +147,25 @@ fn exponents(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
         worst_time,
         NEAR,
     ));
-    sheet.plots.push(Plot {
+    sheet
+        .plots
+        .push(losses(&|row| of_row(row, |h| 1.0 - h.restitution)));
+    sheet.data.push(data);
+    Ok(())
+}
+
+/// Loss over speed of every row.
+fn losses(of_row: &dyn Fn(usize) -> Vec<(f64, f64)>) -> Plot {
+    let series = ROWS.iter().enumerate();
+    Plot {
         name: "table1".to_owned(),
         title: "Table I: loss of a pair over its speed, weak damping".to_owned(),
         x: Axis::log("v_0 (m/s)"),
         y: Axis::log("1 - ε"),
-        series: ROWS
-            .iter()
-            .enumerate()
-            .map(|(row, (name, _))| {
-                Series::new(
-                    format!("β, γ = {name}"),
-                    of_row(row, |h| 1.0 - h.restitution),
-                )
-            })
+        series: series
+            .map(|(row, (name, _))| Series::new(format!("β, γ = {name}"), of_row(row)))
             .collect(),
-    });
-    sheet.data.push(data);
-    Ok(())
+    }
 }
 
 /// A pair with that restitution at 1 m/s.

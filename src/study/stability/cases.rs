@@ -7,6 +7,11 @@ use crate::study::vary;
 /// Periods of a plate that are looked at: later runs part, however right.
 const PERIODS: f64 = 2.0;
 
+/// Width of the diameters, m, and a seed with which the first ten beads are as unequal
+/// as 1 to 104: a mass ratio of 10⁶.
+const WIDE: f64 = 1.97e-3;
+const EXTREME: f64 = 143.0;
+
 /// What a case starts from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Base {
@@ -48,7 +53,12 @@ const LINES: &[Line] = &[
     ("s0 0", Base::Collision, &[("s0", 0.0)], true),
     ("s0 1e-15", Base::Collision, &[("s0", 1e-15)], true),
     ("s0 1", Base::Collision, &[("s0", 1.0)], false),
-    ("width 1.9 d", Base::Collision, &[("width", 1.9e-3)], true),
+    (
+        "diameters 1:104",
+        Base::Collision,
+        &[("width", WIDE), ("seed", EXTREME)],
+        true,
+    ),
     (
         "eps 1e-6, s0 0",
         Base::Collision,
@@ -80,15 +90,15 @@ const LINES: &[Line] = &[
         false,
     ),
     (
-        "width 1.9 d, N 100",
+        "diameters 1:104, N 100",
         Base::Collision,
-        &[("width", 1.9e-3), ("n", 100.0)],
+        &[("width", WIDE), ("seed", EXTREME), ("n", 100.0)],
         false,
     ),
     (
-        "width 1.9 d, eps 1e-3",
+        "1:104, eps 1e-3",
         Base::Collision,
-        &[("width", 1.9e-3), ("restitution", 1e-3)],
+        &[("width", WIDE), ("seed", EXTREME), ("restitution", 1e-3)],
         false,
     ),
     ("plate: Fig. 5(b)", Base::Plate, &[], true),
@@ -121,9 +131,9 @@ const LINES: &[Line] = &[
     ("plate: N 1", Base::Plate, &[("n", 1.0)], false),
     ("plate: N 1000", Base::Plate, &[("n", 1000.0)], false),
     (
-        "plate: width 1.9 d",
+        "plate: diameters 1:104",
         Base::Plate,
-        &[("width", 1.9e-3)],
+        &[("width", WIDE), ("seed", EXTREME)],
         false,
     ),
     (
