@@ -13,7 +13,7 @@ mod stride;
 
 use super::column::{OVER, masses, nothing_to_come, springs};
 use super::flight::{Free, Ground, Shaken, Weight};
-use super::ledger::Sum;
+use super::ledger::{Ledger, Sum};
 use super::moment::Moment;
 use super::observation::Observation;
 use super::state::{Books, State, weight};
@@ -159,12 +159,12 @@ impl<G: Ground + 'static> Adaptive<G> {
     }
 
     /// What is accounted for, up to what is seen.
-    fn books(&self) -> Books {
-        let mut books = self.state.books.clone();
+    fn ledger(&self) -> Ledger {
+        let mut ledger = self.state.books.ledger;
         if let Some(view) = &self.view {
-            enter(&mut books, &view.y, self.beads());
+            enter(&mut ledger, &view.y, self.beads());
         }
-        books
+        ledger
     }
 
     /// Notes which contacts began or ended.
@@ -177,11 +177,7 @@ impl<G: Ground + 'static> Adaptive<G> {
         }
         if self.motion.closed[0] != was_closed {
             let arrival = self.moment(&self.motion.y).arrival();
-            if was_closed {
-                self.state.books.bounce.end(arrival.translation);
-            } else {
-                self.state.books.bounce.begin(arrival);
-            }
+            self.state.books.bounce.turn(!was_closed, arrival);
         }
         if !G::PULLS && !self.over && self.state.books.contacts.all_open() {
             self.over = nothing_to_come(self.motion.rates().iter().copied(), &self.masses);
@@ -193,7 +189,7 @@ impl<G: Ground + 'static> Adaptive<G> {
         self.view = None;
         let books = &mut self.state.books;
         books.steps += u64::from(!ahead.flight);
-        enter(books, &ahead.y, self.masses.len());
+        enter(&mut books.ledger, &ahead.y, self.masses.len());
         let (changed, h) = (ahead.event.is_some(), ahead.h);
         self.motion.take(ahead);
         self.now.add(h);
@@ -238,10 +234,10 @@ impl<G: Ground + 'static> Adaptive<G> {
 }
 
 /// Enters what `y` has of energy lost and of the plate's work.
-fn enter(books: &mut Books, y: &[f64], beads: usize) {
+fn enter(ledger: &mut Ledger, y: &[f64], beads: usize) {
     if let [lost, work] = y[2 * beads..] {
-        books.ledger.lost.add(lost);
-        books.ledger.plate_work.add(work);
+        ledger.lost.add(lost);
+        ledger.plate_work.add(work);
     }
 }
 
@@ -299,20 +295,15 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
     }
 
     fn observe(&self, into: &mut Observation) {
-        self.moment(self.seen().1).observe(&self.books(), into);
+        self.moment(self.seen().1)
+            .observe(&self.state.books, self.ledger(), into);
     }
 
     fn state(&self) -> State {
-        let moment = self.moment(self.seen().1);
-        let books = self.books();
-        State {
-            time: moment.time,
-            gaps: moment.gaps.to_vec(),
-            rates: moment.rates.to_vec(),
-            plate: moment.plate,
-            ledger_error: books.ledger.error(moment.energy()),
-            springs: self.motion.chain.springs.clone(),
-            books,
-        }
+        let books = Books {
+            ledger: self.ledger(),
+            ..self.state.books.clone()
+        };
+        self.moment(self.seen().1).state(books)
     }
 }

@@ -70,6 +70,15 @@ pub(crate) struct Arrival {
 }
 
 impl Bounce {
+    /// The floor's contact begins (`closed`) or ends, with the column as it is then.
+    pub fn turn(&mut self, closed: bool, arrival: Arrival) {
+        if closed {
+            self.begin(arrival);
+        } else {
+            self.end(arrival.translation);
+        }
+    }
+
     /// Whether the column has arrived since it last left: more contacts with the floor
     /// are part of the same bounce, and need no [`Arrival`].
     pub fn has_arrived(&self) -> bool {

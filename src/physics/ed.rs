@@ -11,10 +11,10 @@ mod rule;
 
 use super::column::{masses, nothing_to_come, reduced_mass, restitutions};
 use super::flight::{Free, Ground, Shaken, Weight, closing};
-use super::ledger::Sum;
+use super::ledger::Ledger;
 use super::moment::Moment;
 use super::observation::Observation;
-use super::state::{State, weight};
+use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{CollisionRule, Floor, Method, Scene, Start};
@@ -360,33 +360,26 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
 
     fn observe(&self, into: &mut Observation) {
         let (gaps, rates) = self.gaps_and_rates(self.now);
-        let mut books = self.state.books.clone();
-        books.ledger.plate_work = self.work_so_far();
-        self.moment(&gaps, &rates, self.now).observe(&books, into);
+        self.moment(&gaps, &rates, self.now)
+            .observe(&self.state.books, self.ledger(), into);
     }
 
     fn state(&self) -> State {
         let (gaps, rates) = self.gaps_and_rates(self.now);
-        let mut books = self.state.books.clone();
-        books.ledger.plate_work = self.work_so_far();
-        let energy = self.moment(&gaps, &rates, self.now).energy();
-        State {
-            time: self.time(),
-            plate: self.ground.plate(self.now),
-            ledger_error: books.ledger.error(energy),
-            springs: Vec::new(),
-            books,
-            gaps,
-            rates,
-        }
+        let books = Books {
+            ledger: self.ledger(),
+            ..self.state.books.clone()
+        };
+        self.moment(&gaps, &rates, self.now).state(books)
     }
 }
 
 impl<G: Ground, R: Rule> Ed<G, R> {
-    /// Work of the plate, the stack's ride since it last changed included.
-    fn work_so_far(&self) -> Sum {
-        let mut work = self.state.books.ledger.plate_work;
-        work.add(self.stack_mass() * (self.floor_energy(self.now) - self.ride_from));
-        work
+    /// What is accounted for up to now, the stack's ride since it last changed included.
+    fn ledger(&self) -> Ledger {
+        let mut ledger = self.state.books.ledger;
+        let ride = self.floor_energy(self.now) - self.ride_from;
+        ledger.plate_work.add(self.stack_mass() * ride);
+        ledger
     }
 }

@@ -17,6 +17,7 @@ mod series;
 
 use super::column::{OVER, masses, most_to_lose, springs, velocities};
 use super::flight::{Free, Ground, Shaken, Weight};
+use super::ledger::Ledger;
 use super::moment::Moment;
 use super::observation::Observation;
 use super::power_law::Spring;
@@ -311,11 +312,7 @@ impl<G: Ground> Exact<G> {
         }
         let (gaps, rates) = self.gaps_and_rates(t);
         let arrival = self.moment(&gaps, &rates, t).arrival();
-        if closed {
-            self.state.books.bounce.begin(arrival);
-        } else {
-            self.state.books.bounce.end(arrival.translation);
-        }
+        self.state.books.bounce.turn(closed, arrival);
     }
 
     /// Whether a floor collision without gravity is over, looked at when all contacts
@@ -345,15 +342,15 @@ impl<G: Ground> Exact<G> {
     }
 
     /// What is accounted for, up to now.
-    fn books(&self) -> Books {
-        let mut books = self.state.books.clone();
+    fn ledger(&self) -> Ledger {
+        let mut ledger = self.state.books.ledger;
         let mut room = Room::of(self.gaps.len());
         let mut i = 0;
         while i < self.gaps.len() {
-            self.account(i, self.now, &mut books.ledger, &mut room);
+            self.account(i, self.now, &mut ledger, &mut room);
             i = self.end[i];
         }
-        books
+        ledger
     }
 }
 
@@ -402,22 +399,16 @@ impl<G: Ground> Engine for Exact<G> {
     fn observe(&self, into: &mut Observation) {
         let (gaps, rates) = self.gaps_and_rates(self.now);
         self.moment(&gaps, &rates, self.now)
-            .observe(&self.books(), into);
+            .observe(&self.state.books, self.ledger(), into);
     }
 
     fn state(&self) -> State {
         let (gaps, rates) = self.gaps_and_rates(self.now);
-        let books = self.books();
-        let energy = self.moment(&gaps, &rates, self.now).energy();
-        State {
-            time: self.time(),
-            plate: self.ground.plate(self.now),
-            ledger_error: books.ledger.error(energy),
-            springs: self.springs.clone(),
-            books,
-            gaps,
-            rates,
-        }
+        let books = Books {
+            ledger: self.ledger(),
+            ..self.state.books.clone()
+        };
+        self.moment(&gaps, &rates, self.now).state(books)
     }
 }
 

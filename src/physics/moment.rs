@@ -1,10 +1,11 @@
 //! One moment of a column: what follows from gaps and rates.
 
 use super::bounce::Arrival;
+use super::ledger::Ledger;
 use super::observation::{Energy, Observation};
 use super::plate::Plate;
 use super::power_law::Spring;
-use super::state::Books;
+use super::state::{Books, State};
 
 /// Gaps, rates and all that gives them meaning.
 pub(crate) struct Moment<'a> {
@@ -76,8 +77,22 @@ impl Moment<'_> {
         }
     }
 
-    /// Fills in an observation.
-    pub fn observe(&self, books: &Books, into: &mut Observation) {
+    /// The whole state, with these books.
+    pub fn state(&self, books: Books) -> State {
+        State {
+            time: self.time,
+            gaps: self.gaps.to_vec(),
+            rates: self.rates.to_vec(),
+            plate: self.plate,
+            ledger_error: books.ledger.error(self.energy()),
+            springs: self.springs.to_vec(),
+            books,
+        }
+    }
+
+    /// Fills in an observation. The books are looked at often, and not copied for it:
+    /// only the ledger is of this moment.
+    pub fn observe(&self, books: &Books, ledger: Ledger, into: &mut Observation) {
         let (mut z, mut v) = (self.plate.position(), self.plate.velocity());
         into.time = self.time;
         into.floor = z;
@@ -96,7 +111,7 @@ impl Moment<'_> {
         into.centre = height / mass;
         self.gaps.clone_into(&mut into.gaps);
         books.contacts.closed().clone_into(&mut into.contacts);
-        into.energy = books.ledger.closed(self.energy());
+        into.energy = ledger.closed(self.energy());
         into.free_flight = books.contacts.free_flight(self.time);
         into.bounce = books.bounce.restitution(into.energy.relative);
         into.crossing = books.bounce.crossing();

@@ -87,7 +87,7 @@ impl<G: Ground> Exact<G> {
         };
         let series = self.series(low, h);
         let s = self.progress(low, t, h, reach);
-        room.a.fill(0.0);
+        room.a[..lanes(self.end[low] - low)].fill(0.0);
         for (j, i) in (low..self.end[low]).enumerate() {
             let Spring {
                 stiffness, dashpot, ..

@@ -167,12 +167,16 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     }
 
     /// What is accounted for, up to now.
-    pub(super) fn books(&self) -> Books {
-        let mut books = self.state.books.clone();
-        fold(&mut books.ledger, &self.power, self.h);
+    pub(super) fn ledger(&self) -> Ledger {
+        let mut ledger = self.state.books.ledger;
+        fold(&mut ledger, &self.power, self.h);
+        ledger
+    }
+
+    /// Steps done.
+    fn steps(&self) -> u64 {
         let flying = self.flight.map_or(0, |(from, _)| self.n - from);
-        books.steps += self.n - self.skipped - flying;
-        books
+        self.state.books.steps + self.n - self.skipped - flying
     }
 }
 
@@ -213,20 +217,16 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for M
 
     fn observe(&self, into: &mut Observation) {
         self.moment(&self.gaps(), &self.rates())
-            .observe(&self.books(), into);
+            .observe(&self.state.books, self.ledger(), into);
+        into.steps = self.steps();
     }
 
     fn state(&self) -> State {
-        let (gaps, rates, books) = (self.gaps(), self.rates(), self.books());
-        let energy = self.moment(&gaps, &rates).energy();
-        State {
-            time: self.time(),
-            plate: self.ground.plate(),
-            ledger_error: books.ledger.error(energy),
-            springs: self.springs.clone(),
-            books,
-            gaps,
-            rates,
-        }
+        let books = Books {
+            ledger: self.ledger(),
+            steps: self.steps(),
+            ..self.state.books.clone()
+        };
+        self.moment(&self.gaps(), &self.rates()).state(books)
     }
 }

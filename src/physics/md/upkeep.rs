@@ -26,11 +26,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         if floor_is_closed != floor_was_closed {
             let (gaps, rates) = (self.gaps(), self.rates());
             let arrival = self.moment(&gaps, &rates).arrival();
-            if floor_is_closed {
-                self.state.books.bounce.begin(arrival);
-            } else {
-                self.state.books.bounce.end(arrival.translation);
-            }
+            self.state.books.bounce.turn(floor_is_closed, arrival);
         }
         if !G::PULLS && !self.over && self.state.books.contacts.all_open() {
             self.over = self.nothing_to_come();
@@ -113,6 +109,6 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     /// Whether the ledger shows that the integration blows up.
     pub(super) fn lost_the_energy(&self) -> bool {
         let energy = self.moment(&self.gaps(), &self.rates()).energy();
-        self.books().ledger.is_broken(energy, self.least_energy)
+        self.ledger().is_broken(energy, self.least_energy)
     }
 }
