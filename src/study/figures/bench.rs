@@ -1,10 +1,9 @@
 //! Many runs side by side.
 
 use super::{FigureError, Pains};
-use crate::study::Tell;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc;
-use std::thread;
+use crate::study::{Tell, sweep};
+use std::ops::ControlFlow;
+use std::sync::atomic::AtomicBool;
 
 /// Where a figure's runs are done, and who is told how far they are.
 pub(super) struct Bench<'a, 'b> {
@@ -29,40 +28,32 @@ impl<'a, 'b> Bench<'a, 'b> {
 
     /// Does the work on every item, on all threads; the results in the items' order.
     ///
-    /// The error is that of the first item that has one, however many threads there are:
-    /// items are begun in their order, so none before it is left out.
+    /// The error is that of the first item that has one, however many threads there are.
     pub fn each<I: Sync, T: Send>(
         &mut self,
         items: &[I],
         work: impl Fn(&I) -> Result<T, FigureError> + Sync,
     ) -> Result<Vec<T>, FigureError> {
-        let next = AtomicUsize::new(0);
-        let failed = AtomicBool::new(false);
-        let (sender, receiver) = mpsc::channel();
-        let mut results: Vec<Option<Result<T, FigureError>>> = Vec::new();
-        results.resize_with(items.len(), || None);
-        thread::scope(|scope| {
-            for _ in 0..self.pains.threads.clamp(1, items.len().max(1)) {
-                let (sender, next, failed, work) = (sender.clone(), &next, &failed, &work);
-                scope.spawn(move || {
-                    while !failed.load(Ordering::Relaxed) {
-                        let at = next.fetch_add(1, Ordering::Relaxed);
-                        let Some(item) = items.get(at) else { break };
-                        let result = work(item);
-                        failed.fetch_or(result.is_err(), Ordering::Relaxed);
-                        if sender.send((at, result)).is_err() {
-                            break;
-                        }
+        let mut results = Vec::with_capacity(items.len());
+        let mut failed = None;
+        sweep::run(
+            0..items.len(),
+            self.pains.threads,
+            &AtomicBool::new(false),
+            |row| Some(work(&items[row])),
+            |row, result| {
+                (self.tell)(&self.what, (row + 1) as f64 / items.len() as f64);
+                match result {
+                    Ok(result) => results.push(result),
+                    Err(error) => {
+                        failed = Some(error);
+                        return ControlFlow::Break(());
                     }
-                });
-            }
-            drop(sender);
-            for (done, (at, result)) in receiver.iter().enumerate() {
-                results[at] = Some(result);
-                (self.tell)(&self.what, (done + 1) as f64 / items.len() as f64);
-            }
-        });
-        results.into_iter().flatten().collect()
+                }
+                ControlFlow::Continue(())
+            },
+        );
+        failed.map_or(Ok(results), Err)
     }
 }
 

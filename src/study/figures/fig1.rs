@@ -92,37 +92,29 @@ fn end(scene: &Scene) -> Result<End, FigureError> {
     })
 }
 
+/// What the paper says of soft beads that start close together.
+fn detached(here: &End, other: &End) -> [Claim; 2] {
+    let away = here.away / other.away;
+    [
+        Claim::least("c.m. velocity over that of ED", "larger", away, 1.0),
+        Claim::least(
+            "turns in the separation rates",
+            "disordered",
+            here.disorder,
+            1.0,
+        ),
+    ]
+}
+
 fn claims(letter: char, here: &End, other: &End) -> Vec<Claim> {
     match letter {
-        'a' => vec![
-            Claim::near("E_r/E_f (Sec. IV A)", 0.035, here.shared, 0.05),
-            Claim::least(
-                "c.m. velocity over that of ED",
-                "larger",
-                here.away / other.away,
-                1.0,
-            ),
-            Claim::least(
-                "turns in the separation rates",
-                "disordered",
-                here.disorder,
-                1.0,
-            ),
-        ],
-        'b' => vec![
-            Claim::least(
-                "c.m. velocity over that of ED",
-                "larger",
-                here.away / other.away,
-                1.0,
-            ),
-            Claim::least(
-                "turns in the separation rates",
-                "disordered",
-                here.disorder,
-                1.0,
-            ),
-        ],
+        'a' => {
+            let shared = Claim::near("E_r/E_f (Sec. IV A)", 0.035, here.shared, 0.05);
+            std::iter::once(shared)
+                .chain(detached(here, other))
+                .collect()
+        }
+        'b' => detached(here, other).into(),
         'c' => vec![Claim::most(
             "eps_eff off that of ED",
             "similar",
