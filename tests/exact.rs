@@ -16,18 +16,10 @@ use beadlab::scene::{Facts, FloorContact, Law, Method, Scene, Solver, Start};
 use dice::Dice;
 use double_double::Double;
 use oracle::Oracle;
-use support::{fig1, look};
+use support::{exact, fig1, look};
 
 /// The bound on the relative error of what can be known to that.
 const ALLOWED: f64 = 1e-11;
-
-fn exact(contact_time: f64) -> Method {
-    Method::Md {
-        law: Law::Hooke { contact_time },
-        solver: Solver::Exact,
-        attraction: true,
-    }
-}
 
 /// ε_eff and E_r/E_f by the engine.
 fn by_engine(scene: &Scene) -> Result<(f64, f64), String> {

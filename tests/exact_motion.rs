@@ -10,21 +10,13 @@ mod sampled_roots;
 mod support;
 
 use beadlab::physics::build;
-use beadlab::scene::{Facts, Floor, Law, Method, Scene, Solver, Start, angular};
+use beadlab::scene::{Facts, Floor, Scene, Start, angular};
 use oracle::Oracle;
-use support::{G, fig1, shaken};
+use support::{G, exact, fig1, shaken};
 
 /// What a motion must keep to, over the largest gap and rate that it has had: the
 /// scenes are so short that they amplify rounding by some thousands at most.
 const ALLOWED: f64 = 1e-11;
-
-fn exact(contact_time: f64) -> Method {
-    Method::Md {
-        law: Law::Hooke { contact_time },
-        solver: Solver::Exact,
-        attraction: true,
-    }
-}
 
 /// Follows a scene for `duration` s, looking at it `looks` times, from gaps and rates
 /// changed by `change`. The reference's contact changes and shortest contact.

@@ -116,6 +116,15 @@ pub fn soft(integrator: Integrator, contact_time: f64, steps_per_contact: f64) -
     }
 }
 
+/// Soft contacts, exactly.
+pub fn exact(contact_time: f64) -> Method {
+    Method::Md {
+        law: Law::Hooke { contact_time },
+        solver: Solver::Exact,
+        attraction: true,
+    }
+}
+
 /// The engine of these facts, advanced to `until`.
 pub fn run(facts: Facts, until: f64) -> Box<dyn Engine> {
     let mut engine = engine(facts);
