@@ -15,7 +15,7 @@ mod repose;
 mod rest;
 mod series;
 
-use super::column::{OVER, masses, most_to_lose, springs, velocities};
+use super::column::{OVER, masses, most_to_lose, reduced_mass, springs, velocities};
 use super::flight::{Free, Ground, Shaken, Weight};
 use super::ledger::Ledger;
 use super::moment::Moment;
@@ -31,11 +31,13 @@ use encounter::Encounter;
 use repose::Repose;
 use series::Coupling;
 
-/// Contact times per bead in a tick of the epoch. What is known of a time is a bit of its
-/// distance from the epoch, and of a flight through a gap a bit of its length: ticks are
-/// short, so that clocks lose no more than gaps do, but long enough for all beads to
-/// take part, since moving the epoch costs O(N).
+/// Contact times in a tick of the epoch. What is known of a time is a bit of its distance
+/// from the epoch, and of a flight through a gap a bit of its length: ticks are short, so
+/// that clocks lose no more than gaps do.
 const TICK: f64 = 2.0;
+/// Beads per event at which the epoch may move, since that costs O(N): in a long column
+/// as many events lie in a flight through a gap.
+const BEADS_AN_EVENT: usize = 4;
 /// Places behind the last gap: whole lanes, and the forces at both ends.
 const PADDING: usize = 6;
 /// Events between two looks whether creeping contacts have spent all energy.
@@ -111,6 +113,8 @@ struct Exact<G> {
     tick: f64,
     /// Now, s from the epoch.
     now: f64,
+    /// Events since the epoch was moved.
+    since: usize,
     repose: Repose,
     /// Contact changes after which it is looked whether the collision is over.
     check_at: u64,
@@ -172,8 +176,9 @@ impl<G: Ground> Exact<G> {
             queue: Tournament::new(n),
             origin: state.time,
             ticks: 0.0,
-            tick: (TICK * n as f64 * contact_time).log2().round().exp2(),
+            tick: (TICK * contact_time).log2().round().exp2(),
             now: 0.0,
+            since: 0,
             repose: Repose::new(n),
             check_at: 0,
             instant: 0,
@@ -237,9 +242,11 @@ impl<G: Ground> Exact<G> {
 
     /// Moves the epoch to the last tick before now, so that times keep their digits.
     fn move_epoch(&mut self) {
-        if self.now < self.tick {
+        self.since += 1;
+        if self.now < self.tick || BEADS_AN_EVENT * self.since < self.gaps.len() {
             return;
         }
+        self.since = 0;
         let ticks = (self.now / self.tick).floor();
         let shift = ticks * self.tick;
         self.ticks += ticks;
@@ -287,13 +294,7 @@ impl<G: Ground> Exact<G> {
             self.repose.disturb();
         }
         if closed == was_closed {
-            // The force is zero now, whatever rounding says.
-            let Spring {
-                stiffness, dashpot, ..
-            } = self.springs[i];
-            if dashpot > 0.0 {
-                self.gaps[i].w = -stiffness * self.gaps[i].g / dashpot;
-            }
+            self.without_force(i);
             return;
         }
         self.gaps[i].g = 0.0;
@@ -301,6 +302,20 @@ impl<G: Ground> Exact<G> {
         self.state.books.contacts.note(i, closed, self.absolute(t));
         if i == 0 {
             self.note_floor(closed, t);
+        }
+    }
+
+    /// Makes the force of contact `i`, which is zero now, zero to the last bit: by the one
+    /// of overlap and rate that the other determines better.
+    fn without_force(&mut self, i: usize) {
+        let Spring {
+            stiffness, dashpot, ..
+        } = self.springs[i];
+        let gap = &mut self.gaps[i];
+        if dashpot * dashpot <= stiffness * reduced_mass(&self.masses, i) {
+            gap.g = -dashpot * gap.w / stiffness;
+        } else {
+            gap.w = -stiffness * gap.g / dashpot;
         }
     }
 
