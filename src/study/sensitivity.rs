@@ -64,3 +64,19 @@ impl Sensitivity {
         self.eps_eff.or(self.h_cm_mean)
     }
 }
+
+/// Digits of a number that is known to this part of itself, and one to spare.
+pub fn digits(part: f64) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 1 and 17"
+    )]
+    let digits = (1.0 - part.log10().floor()).clamp(1.0, 17.0) as usize;
+    digits
+}
+
+/// `x` to so many significant digits.
+pub fn rounded(x: f64, digits: usize) -> f64 {
+    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
+}

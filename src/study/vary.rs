@@ -31,9 +31,9 @@ pub fn vary(
 pub const PATTERNS: usize = 3;
 
 /// The engine of a scene that differs in the last bit: of gravity, which a column at
-/// rest has no gaps to differ in from, or without it of the gaps at the start, or
-/// where there is none, of the velocities; up and down by turns, all up, or up in every
-/// third. What two right methods may differ by.
+/// rest has no gaps to differ in from, or without it of gaps and beads' velocities at the
+/// start, or where there are no gaps, of the column's velocity; up and down by turns, all
+/// up, or up in every third. What two right methods may differ by.
 pub fn one_ulp_off(scene: &Scene, pattern: usize) -> Box<dyn Engine> {
     let up = |i: usize| match pattern {
         0 => i.is_multiple_of(2),
@@ -56,14 +56,22 @@ pub fn one_ulp_off(scene: &Scene, pattern: usize) -> Box<dyn Engine> {
     }
     let (engine, _) = physics::build(scene, None);
     let mut state = engine.state();
-    let apart = state.gaps.iter().any(|&g| g != 0.0);
-    let numbers = if apart {
-        &mut state.gaps
+    if state.gaps.iter().any(|&g| g != 0.0) {
+        for (i, gap) in state.gaps.iter_mut().enumerate() {
+            *gap *= factor(i);
+        }
+        // Beads' velocities, of which the rates are differences; not the gaps' pattern.
+        let (mut v, mut below) = (0.0, 0.0);
+        for (i, rate) in state.rates.iter_mut().enumerate() {
+            v += *rate;
+            let now = v * factor(i / 2);
+            *rate = now - below;
+            below = now;
+        }
     } else {
-        &mut state.rates
-    };
-    for (i, x) in numbers.iter_mut().enumerate() {
-        *x *= factor(i);
+        for (i, rate) in state.rates.iter_mut().enumerate() {
+            *rate *= factor(i);
+        }
     }
     physics::build(scene, Some(&state)).0
 }

@@ -3,6 +3,7 @@
 use crate::cli::Format;
 use crate::commands::Failure;
 use crate::scene::parameters::Value;
+use crate::study::{digits, rounded};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, IsTerminal, Write};
 
@@ -155,22 +156,6 @@ impl Report {
             .expect("memory takes whatever is written");
         String::from_utf8(bytes).expect("the cells were text")
     }
-}
-
-/// Digits of a number that is known to this part of itself, and one to spare.
-fn digits(part: f64) -> usize {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "between 1 and 17"
-    )]
-    let digits = (1.0 - part.log10().floor()).clamp(1.0, 17.0) as usize;
-    digits
-}
-
-/// `x` to so many significant digits.
-fn rounded(x: f64, digits: usize) -> f64 {
-    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
 /// Ten digits are more than a person reads.

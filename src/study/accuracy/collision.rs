@@ -6,7 +6,7 @@ use crate::scene::{MethodName, Scene, Start};
 use crate::study::fit::{median, slope};
 use crate::study::plot::{Axis, Plot, Series};
 use crate::study::table::{Cell, Column, Digits, Table};
-use crate::study::{Drive, RunError, Tell, one_ulp_off};
+use crate::study::{Drive, RunError, Tell, digits, one_ulp_off, rounded};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -221,17 +221,19 @@ fn table(rows: &[Row], truth: &Run, sensitivity: Errors) -> Table {
     ];
     let mut table = Table::new("accuracy", "Error against run time", columns);
     for row in rows {
-        table.push(cells(row));
+        table.push(cells(row, sensitivity));
     }
-    let share = truth
-        .er_over_ef
-        .map_or(String::new(), |share| format!(" and E_r/E_f = {share:.9}"));
+    let eps_eff = rounded(truth.eps_eff, digits(sensitivity.eps_eff).min(12));
+    let share = truth.er_over_ef.map_or(String::new(), |share| {
+        let part = sensitivity.er_over_ef.unwrap_or(0.0);
+        let share = rounded(share, digits(part).min(9));
+        format!(" and E_r/E_f = {share}")
+    });
     table.notes = vec![
         format!(
-            "The exact method gives eps_eff = {:.12}{share}; errors are relative to that, the \
+            "The exact method gives eps_eff = {eps_eff}{share}; errors are relative to that, the \
              path's is the largest distance of any bead until twice the time at which the \
-             floor is left.",
-            truth.eps_eff
+             floor is left."
         ),
         format!(
             "{} one bit of the start changes {:.0e} of eps_eff.",
@@ -255,7 +257,8 @@ fn table(rows: &[Row], truth: &Run, sensitivity: Errors) -> Table {
     table
 }
 
-fn cells(row: &Row) -> Vec<Cell> {
+/// A row; of results no digit beyond what the last bit of the start leaves.
+fn cells(row: &Row, last_bit: Errors) -> Vec<Cell> {
     let kind = match &row.candidate {
         candidate if candidate.is_reference() => "last bit",
         candidate if candidate.is_other_model() => "model",
@@ -275,8 +278,11 @@ fn cells(row: &Row) -> Vec<Cell> {
         errors.map(|e| e.trajectory).into(),
         (!row.times.is_empty()).then(|| median(&row.times)).into(),
         run.map(|run| run.steps + run.events).into(),
-        run.map(|run| run.eps_eff).into(),
-        run.and_then(|run| run.er_over_ef).into(),
+        run.map(|run| rounded(run.eps_eff, digits(last_bit.eps_eff)))
+            .into(),
+        run.and_then(|run| run.er_over_ef)
+            .map(|x| rounded(x, digits(last_bit.er_over_ef.unwrap_or(0.0))))
+            .into(),
         (row.times.len() as u64).into(),
         failure.into(),
     ]

@@ -19,8 +19,8 @@ pub enum Verdict {
     Confirmed {
         /// Relative distance of the two.
         error: f64,
-        /// What the last bit of the start changes.
-        bits: f64,
+        /// What the last bit of the start changes, if there was time for it.
+        bits: Option<f64>,
     },
     /// It is not.
     Off(f64),
@@ -69,9 +69,10 @@ impl Verdict {
         match self {
             Self::Right(error) => format!("right, error {error:e}"),
             Self::Confirmed { error, bits } => {
-                format!(
-                    "right, {error:.1e} from the adaptive method; the last bit changes {bits:.1e}"
-                )
+                let bits = bits.map_or(String::new(), |bits| {
+                    format!("; the last bit changes {bits:.1e}")
+                });
+                format!("right, {error:.1e} from the adaptive method{bits}")
             }
             Self::Off(error) => format!("inaccurate, error {error:e}"),
             Self::Model(error) => format!("another model, distance {error:e}"),

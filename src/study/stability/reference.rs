@@ -5,11 +5,14 @@ use super::RIGHT;
 use super::judge::{Verdict, unfinished};
 use super::runs::{Ending, Numbers, distance, run};
 use crate::scene::{Facts, Law, Method, PowerLaw, Scene, Solver};
-use crate::study::{PATTERNS, one_ulp_off};
+use crate::study::one_ulp_off;
 
 /// Tolerance of the adaptive run, and of the one that tells how right it is.
 const TOLERANCE: f64 = 1e-13;
 const LOOSER: f64 = 1e-12;
+
+/// Allowances that the adaptive run may take: it is what all the others hang on.
+const PATIENCE: u64 = 4;
 
 /// How near two right runs come, beyond what the last bit changes.
 const SURE: f64 = 1e-10;
@@ -55,7 +58,7 @@ pub(super) fn reference(
     };
     let by_adaptive = |tolerance: f64| {
         let other = adaptive(scene, tolerance)?;
-        numbers_of(run(&other, None, slices, end))
+        numbers_of(run(&other, None, PATIENCE * slices, end))
     };
     let Ending::Done { numbers, .. } = exact else {
         let truth = by_adaptive(TOLERANCE).map(|numbers| Truth {
@@ -64,24 +67,20 @@ pub(super) fn reference(
         });
         return (unfinished(exact), truth);
     };
-    let near = (0..PATTERNS).filter_map(|pattern| {
-        let near = one_ulp_off(scene, pattern);
-        numbers_of(run(scene, Some(near), slices, end))
-    });
-    let bits = near
-        .map(|near| distance(&near, numbers))
-        .fold(0.0, f64::max);
+    let near = run(scene, Some(one_ulp_off(scene, 0)), slices, end);
+    let bits = numbers_of(near).map(|near| distance(&near, numbers));
+    let several_bits = LAST_BITS * bits.unwrap_or(0.0);
     let verdict = match by_adaptive(TOLERANCE) {
-        None => Verdict::Ran(Some(bits)),
+        None => Verdict::Ran(bits),
         Some(other) => {
             let error = distance(&other, numbers);
             // A run of less tolerance shows how far the adaptive method itself is off.
             let blurred =
                 || by_adaptive(LOOSER).is_some_and(|loose| error <= distance(&loose, &other));
-            if error <= SURE.max(LAST_BITS * bits) || (error <= RIGHT && blurred()) {
+            if error <= SURE.max(several_bits) || (error <= RIGHT && blurred()) {
                 Verdict::Confirmed { error, bits }
             } else if blurred() {
-                Verdict::Ran(Some(bits))
+                Verdict::Ran(bits)
             } else {
                 Verdict::Off(error)
             }
@@ -89,7 +88,7 @@ pub(super) fn reference(
     };
     let truth = Truth {
         numbers: numbers.clone(),
-        allowed: RIGHT.max(LAST_BITS * bits),
+        allowed: RIGHT.max(several_bits),
     };
     (verdict, Some(truth))
 }
