@@ -92,26 +92,38 @@ impl ContactLog {
         self.closed[i] = closed;
         if closed {
             self.open_count -= 1;
-            if i == 0 {
-                self.floor.0.get_or_insert(time);
-            }
-            if let Some(ended) = self.ended[i] {
-                self.flights.add(time, time - ended);
-            }
+            self.begins(i, time);
         } else {
             self.open_count += 1;
-            self.ended[i] = Some(time);
-            self.last = Some(time);
-            if i == 0 {
-                self.floor.1 = Some(time);
-            }
+            self.ends(i, time);
         }
     }
 
     /// Notes a collision that begins and ends at once.
     pub fn touch(&mut self, i: usize, time: f64) {
-        self.note(i, true, time);
-        self.note(i, false, time);
+        if self.closed[i] {
+            self.note(i, false, time);
+        } else {
+            self.begins(i, time);
+            self.ends(i, time);
+        }
+    }
+
+    fn begins(&mut self, i: usize, time: f64) {
+        if i == 0 {
+            self.floor.0.get_or_insert(time);
+        }
+        if let Some(ended) = self.ended[i] {
+            self.flights.add(time, time - ended);
+        }
+    }
+
+    fn ends(&mut self, i: usize, time: f64) {
+        self.ended[i] = Some(time);
+        self.last = Some(time);
+        if i == 0 {
+            self.floor.1 = Some(time);
+        }
     }
 
     /// Which gaps are contacts.
