@@ -66,10 +66,12 @@ pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
 /// against each other. Drag across contacts damps some modes by up to 6 D_t more; taken
 /// together that is on the safe side.
 fn lattice_mode(springs: &[Spring], tangential: f64) -> Mode {
-    let pair = springs[springs.len() - 1];
+    let (floor, pair) = (springs[0], springs[springs.len() - 1]);
+    // The floor takes the place of two springs that together have 3/2 K upwards.
+    let beyond = |floor: f64, pair: f64| (floor - 1.5 * pair).max(0.0);
     Mode {
-        stiffness: 6.0 * pair.stiffness,
-        damping: 6.0 * (pair.dashpot + tangential),
+        stiffness: 6.0 * pair.stiffness + beyond(floor.stiffness, pair.stiffness),
+        damping: 6.0 * (pair.dashpot + tangential) + beyond(floor.dashpot, pair.dashpot),
     }
 }
 

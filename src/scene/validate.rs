@@ -161,8 +161,7 @@ fn check_lattice_frame(facts: &Facts) -> Result<(), SceneError> {
         }
     ) {
         let name = facts.method.name().as_str();
-        let reason =
-            "a lattice moves by soft contacts on a grid of time steps; take gear or verlet";
+        let reason = "a lattice takes gear or verlet, soft contacts on a grid of time steps";
         return Err(inconsistent("method", Value::Choice(name), reason));
     }
     if matches!(facts.floor, Floor::Vibrating { .. }) {
@@ -185,12 +184,13 @@ fn check_lattice(facts: &Facts) -> Result<(), SceneError> {
         let reason = "a lattice has beads of equal size; columns may have others";
         return Err(inconsistent("width", Value::Number(facts.width), reason));
     }
-    if facts.n > MOST_BEADS || sites.count() != facts.n {
-        let reason = format!(
-            "times the {} beads of a row must be at most {MOST_BEADS}",
-            sites.columns
-        );
-        let rows = Value::Whole(sites.rows as u64);
+    let (columns, rows) = (sites.columns, Value::Whole(sites.rows as u64));
+    if sites.count() != facts.n {
+        let reason = format!("of {columns} beads do not make {} beads", facts.n);
+        return Err(inconsistent("rows", rows, reason));
+    }
+    if facts.n > MOST_BEADS {
+        let reason = format!("times the {columns} beads of a row must be at most {MOST_BEADS}");
         return Err(inconsistent("rows", rows, reason));
     }
     Ok(())

@@ -261,3 +261,91 @@ fn whole(x: f64) -> usize {
     let whole = x as usize;
     whole
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::{Rng, SeedableRng};
+
+    /// Displacements of up to `far` in either direction.
+    fn scattered(n: usize, far: f64, seed: u64) -> Vec<f64> {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut draw = || f64::from(rng.next_u32()) / f64::from(u32::MAX) - 0.5;
+        (0..2 * n).map(|_| 2.0 * far * draw()).collect()
+    }
+
+    /// All pairs nearer than the list's reach, each image tried.
+    fn by_force(sites: &Sites, places: &[f64], reach: f64) -> Vec<[u32; 2]> {
+        let n = sites.count();
+        let mut near = Vec::new();
+        for i in 0..n {
+            for j in i + 1..n {
+                let y = (sites.floor_gap(j) + places[n + j]) - (sites.floor_gap(i) + places[n + i]);
+                let x = (sites.x(j) + places[j]) - (sites.x(i) + places[i]);
+                let images = (-60..=60).map(|k| x + f64::from(k) * sites.period());
+                if images.into_iter().any(|x| x.hypot(y) < reach) {
+                    near.push([index(i), index(j)]);
+                }
+            }
+        }
+        near
+    }
+
+    #[test]
+    fn cells_find_what_all_pairs_find() {
+        let d = 1e-3;
+        for (columns, rows) in [(3, 1), (3, 7), (4, 4), (5, 2), (13, 10)] {
+            for separation in [0.0, 1e-6, 4e-4, 3e-3] {
+                for (seed, far) in [(1, 1e-7), (2, 0.4 * d), (3, 3.0 * d), (4, 40.0 * d)] {
+                    let sites = Sites {
+                        columns,
+                        rows,
+                        diameter: d,
+                        separation,
+                    };
+                    let places = scattered(sites.count(), far, seed);
+                    let list = List::new(&sites, &places);
+                    let reach = d + 2.0 * list.slack();
+                    let mut found: Vec<_> = list.bonds.iter().map(|b| [b.i, b.j]).collect();
+                    found.sort_unstable();
+                    let case = format!("{columns} × {rows}, s0 {separation}, far {far}");
+                    assert_eq!(found, by_force(&sites, &places, reach), "{case}");
+                    let n = sites.count();
+                    let low = |i: &usize| sites.floor_gap(*i) + places[n + i] < 2.0 * list.slack();
+                    let feet: Vec<_> = list.feet.iter().map(|f| f.i as usize).collect();
+                    assert_eq!(feet, (0..n).filter(low).collect::<Vec<_>>(), "{case}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_new_list_remembers_what_touches() {
+        let sites = Sites {
+            columns: 5,
+            rows: 4,
+            diameter: 1e-3,
+            separation: 0.0,
+        };
+        let places = vec![0.0; 40];
+        let mut list = List::new(&sites, &places);
+        let ends = [0, 7, list.bonds.len() - 1];
+        for k in ends {
+            list.bonds[k].closed = true;
+        }
+        list.feet[3].closed = true;
+        let pairs = ends.map(|k| [list.bonds[k].i, list.bonds[k].j]);
+        // Other places, another order: what touches is known by its beads.
+        let moved = scattered(20, 1e-4, 5);
+        list.make(&sites, &moved);
+        let closed: Vec<_> = list.bonds.iter().filter(|b| b.closed && b.noted).collect();
+        let mut closed: Vec<_> = closed.iter().map(|b| [b.i, b.j]).collect();
+        closed.sort_unstable();
+        let mut pairs = pairs.to_vec();
+        pairs.sort_unstable();
+        assert_eq!(closed, pairs);
+        let feet: Vec<_> = list.feet.iter().filter(|f| f.closed).map(|f| f.i).collect();
+        assert_eq!(feet, [3]);
+    }
+}
