@@ -411,3 +411,22 @@ fn json_has_rows_columns_and_results() {
         assert!(object[field].is_number(), "{field}");
     }
 }
+
+#[test]
+fn a_slow_lattice_that_touches_ends_when_it_is_over() {
+    // Its rows touch for ever. To be stepped through the time in which it would move by
+    // some part of a diameter, as looks at columns are apart, would be 10¹⁰ steps.
+    let settings = ["rows=3", "s0=0", "v0=-1e-9"].map(|setting| ["--set", setting]);
+    let text = printed(
+        &[
+            &["run", "fig4", "--format", "json"],
+            settings.as_flattened(),
+        ]
+        .concat(),
+    );
+    let object: serde_json::Value = serde_json::from_str(&text).expect("an object");
+    assert!(
+        object["eps_eff"].is_number() && object["steps"].as_f64() < Some(1e5),
+        "{text}"
+    );
+}
