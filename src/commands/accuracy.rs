@@ -35,6 +35,7 @@ pub fn run(args: &AccuracyArgs) -> Result<(), Failure> {
     })
     .map_err(|error| match error {
         AccuracyError::Scene(error) => bad_input(error),
+        AccuracyError::Lattice => bad_input(error),
         error => Failure::Failed(error.to_string()),
     })?;
     drop(waiting);

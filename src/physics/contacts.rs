@@ -77,6 +77,14 @@ impl ContactLog {
         }
     }
 
+    /// One more contact, open and never closed so far; its number.
+    pub fn add(&mut self) -> usize {
+        self.closed.push(false);
+        self.ended.push(None);
+        self.open_count += 1;
+        self.closed.len() - 1
+    }
+
     /// Goes on with another plate period.
     pub fn set_period(&mut self, period: Option<f64>) {
         if self.flights.period != period {
