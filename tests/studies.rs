@@ -263,3 +263,11 @@ fn run_says_when_the_grid_is_too_coarse() {
         "{stderr}"
     );
 }
+
+#[test]
+fn a_hard_preset_is_compared_by_the_soft_one_beside_it() {
+    let run = beadlab(&["accuracy", "fig1d", "--quick", "--budget", "0.5"]);
+    assert!(run.status.success());
+    let note = String::from_utf8_lossy(&run.stderr);
+    assert!(note.contains("fig1a"), "{note}");
+}
