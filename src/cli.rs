@@ -205,7 +205,7 @@ pub struct AccuracyArgs {
 /// Arguments of `beadlab stability`.
 #[derive(Debug, Args)]
 pub struct StabilityArgs {
-    /// Time for one run, in seconds of yours
+    /// Work for one run, in seconds of an ordinary machine
     #[arg(long, value_name = "SECONDS", value_parser = budget, allow_hyphen_values = true)]
     pub budget: Option<f64>,
 

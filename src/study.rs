@@ -16,7 +16,7 @@ pub mod sweep;
 pub mod table;
 mod vary;
 
-pub use drive::{Drive, RunError, Watch, natural_time};
+pub use drive::{Allowance, Drive, RunError, SLICE, Watch, natural_time};
 pub use measure::{Results, measure};
 pub use sensitivity::{Sensitivity, sensitivity};
 pub use vary::{PATTERNS, one_ulp_off, vary};

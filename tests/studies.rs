@@ -9,7 +9,7 @@ use beadlab::study::stability::{Verdict, cases, judge};
 use beadlab::study::table::{Cell, Table};
 use program::{beadlab, file, printed, refused};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 fn scene(preset: &str) -> Scene {
     Preset::load(preset).expect("an embedded preset").scene
@@ -86,22 +86,13 @@ fn a_plate_parts_right_runs_but_not_their_means() {
     assert!(number(means, 1, "relative_share_difference") < Some(5.0));
 }
 
-/// All methods, within a budget that some need.
-fn judged(quick: bool, budget: Duration) {
+/// All methods, within an allowance that some need more than. That it ends at all is
+/// part of the test.
+fn judged(quick: bool, slices: u64) {
     for case in cases(quick) {
-        let started = Instant::now();
-        let judgements = judge(&case, budget);
+        let judgements = judge(&case, slices);
         let methods: Vec<_> = judgements.iter().map(|j| j.method).collect();
         assert_eq!(methods, MethodName::ALL);
-        // Seven runs at most, each of which looks at the clock every some 10 ms when it
-        // has the machine for itself; this is about hanging, not about speed.
-        let most = 7 * budget + Duration::from_secs(20);
-        assert!(
-            started.elapsed() < most,
-            "{}: {:?}",
-            case.name,
-            started.elapsed()
-        );
         for judgement in &judgements {
             let of = format!("{}, {}", case.name, judgement.method.as_str());
             assert!(judgement.verdict.short().chars().count() <= 12, "{of}");
@@ -110,7 +101,8 @@ fn judged(quick: bool, budget: Duration) {
                 !text.contains("NaN") && !text.contains("inf"),
                 "{of}: {text}"
             );
-            // The exact method is right wherever anything can tell.
+            // The exact method is right wherever anything can tell: to what the last bit
+            // changes, or to what the adaptive method's own tolerance leaves of it.
             if judgement.method == MethodName::Exact {
                 let is_off = matches!(judgement.verdict, Verdict::Off(_) | Verdict::Breaks(..));
                 assert!(!is_off, "{of}: {text}");
@@ -121,13 +113,13 @@ fn judged(quick: bool, budget: Duration) {
 
 #[test]
 fn no_case_hangs() {
-    judged(true, Duration::from_millis(20));
+    judged(true, 2);
 }
 
 #[test]
 #[ignore = "all cases with all the time they need: minutes"]
 fn the_exact_method_is_right_in_all_cases() {
-    judged(false, Duration::from_secs(10));
+    judged(false, 1000);
 }
 
 #[test]
@@ -204,10 +196,10 @@ fn formats_are_read_by_machines() {
 fn bad_input_is_one_line() {
     for (arguments, line) in [
         (
-            &["accuracy", "fig1d"][..],
-            "contact_time: missing; scenes with soft contacts",
+            &["accuracy", "nosuch"][..],
+            "nosuch: no such preset or file",
         ),
-        (&["accuracy", "nosuch"], "nosuch: no such preset or file"),
+        (&["accuracy", "fig4"], "fig4"),
         (
             &["accuracy", "--set", "n=0"],
             "n = 0: must be a whole number",

@@ -4,13 +4,13 @@ use super::Failure;
 use super::progress::Waiting;
 use super::report::Destination;
 use crate::cli::StabilityArgs;
+use crate::study::SLICE;
 use crate::study::accuracy::Report;
 use crate::study::stability::{grid, steps_table};
-use std::time::Duration;
 
-/// Wall-clock time of one run where nobody says otherwise.
-const TIME: Duration = Duration::from_secs(2);
-const QUICK_TIME: Duration = Duration::from_millis(100);
+/// Work of one run where nobody says otherwise, s on an ordinary machine.
+const WORK: f64 = 5.0;
+const QUICK_WORK: f64 = 0.1;
 
 /// Runs `beadlab stability`.
 ///
@@ -19,13 +19,18 @@ const QUICK_TIME: Duration = Duration::from_millis(100);
 pub fn run(args: &StabilityArgs) -> Result<(), Failure> {
     let destination = Destination::open(&args.report)?;
     let quick = args.report.quick;
-    let common = if quick { QUICK_TIME } else { TIME };
-    let budget = args.budget.map_or(common, Duration::from_secs_f64);
+    let common = if quick { QUICK_WORK } else { WORK };
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a positive number; one too large is as good as endless"
+    )]
+    let slices = (args.budget.unwrap_or(common) / SLICE).ceil() as u64;
     let mut waiting = Waiting::new();
     let mut tell = |what: &str, part: f64| waiting.show(what, part);
     let mut tables = Vec::new();
     if !args.steps {
-        tables.push(grid(quick, budget, &mut tell));
+        tables.push(grid(quick, slices, &mut tell));
     }
     tables.push(steps_table(quick, &mut tell));
     drop(waiting);

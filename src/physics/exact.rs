@@ -34,11 +34,13 @@ use landing::Landing;
 use repose::Repose;
 use series::Coupling;
 
-/// Contact times per bead in a tick of the epoch. What is known of a time is a bit of its
-/// distance from the epoch, and of a flight through a gap a bit of its length: ticks are
-/// short, so that clocks lose no more than gaps do, but long enough for all beads to
-/// take part, since moving the epoch costs O(N).
+/// Contact times in a tick of the epoch. What is known of a time is a bit of its distance
+/// from the epoch, and of a flight through a gap a bit of its length: ticks are short, so
+/// that clocks lose no more than gaps do.
 const TICK: f64 = 2.0;
+/// Beads per event at which the epoch may move, since that costs O(N): in a long column
+/// as many events lie in a flight through a gap.
+const BEADS_AN_EVENT: usize = 4;
 /// Places behind the last gap: whole lanes, and the forces at both ends.
 const PADDING: usize = 6;
 /// Events between two looks whether creeping contacts have spent all energy.
@@ -117,7 +119,7 @@ struct Exact<G> {
     /// Now, s from the epoch.
     now: f64,
     repose: Repose,
-    /// Plans carried out since the epoch moved.
+    /// Events since the epoch was moved.
     since: usize,
     /// Energy at the start or after an edit, m²/s²; without gravity it only falls.
     energy_at_first: f64,
@@ -182,7 +184,7 @@ impl<G: Ground> Exact<G> {
             queue: Tournament::new(n),
             origin: state.time,
             ticks: 0.0,
-            tick: (TICK * n as f64 * contact_time).log2().round().exp2(),
+            tick: (TICK * contact_time).log2().round().exp2(),
             now: 0.0,
             repose: Repose::new(n),
             since: 0,
@@ -248,11 +250,9 @@ impl<G: Ground> Exact<G> {
         }
     }
 
-    /// Moves the epoch to the last tick before now, so that times keep their digits. That
-    /// costs O(N): where flights are long it is not done for every change, but for N,
-    /// in which time passes for half a flight.
+    /// Moves the epoch to the last tick before now, so that times keep their digits.
     fn move_epoch(&mut self) {
-        if self.now < self.tick || self.since < self.gaps.len() {
+        if self.now < self.tick || BEADS_AN_EVENT * self.since < self.gaps.len() {
             return;
         }
         self.since = 0;

@@ -7,8 +7,10 @@ use std::ops::ControlFlow;
 /// Bead steps between two looks; about 10 ms.
 const BEAD_STEPS: usize = 2_000_000;
 
-/// The same for the exact method, whose steps are long and dear.
+/// The same for the exact method, whose steps are long and dear, and move so many beads
+/// at most, roughly: a cluster, not the column.
 const EXACT_BEAD_STEPS: usize = 20_000;
+const CLUSTER: usize = 50;
 
 /// Events between two looks; one costs about the same in any column.
 const EVENTS: u64 = 200_000;
@@ -33,10 +35,43 @@ pub enum RunError {
     },
 }
 
+/// Seconds that a slice of work, whatever the method, takes on an ordinary machine.
+pub const SLICE: f64 = 0.01;
+
+/// A run that would need so many times its allowance is not taken to the end of it.
+const HOPELESS: f64 = 20.0;
+
+/// What a run may cost: counted work, the same on every machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Allowance {
+    /// Slices of work.
+    pub slices: u64,
+    /// When the run will be at its end, s of simulated time, if that is known.
+    pub end: Option<f64>,
+}
+
+impl Allowance {
+    /// Slices that the whole run needs, if that can be told from so many spent by `time`.
+    pub fn needed(&self, spent: u64, time: f64) -> Option<f64> {
+        let end = self.end.filter(|_| time > 0.0)?;
+        Some(spent as f64 * (end / time).max(1.0))
+    }
+
+    fn is_spent(&self, spent: u64, time: f64) -> bool {
+        let hopeless = || {
+            let needed = self.needed(spent, time);
+            needed.is_some_and(|all| all > HOPELESS * self.slices as f64)
+        };
+        spent >= self.slices || (4 * spent > self.slices && hopeless())
+    }
+}
+
 /// An engine on its way.
 pub struct Drive<'a> {
     engine: Box<dyn Engine>,
     slice: u64,
+    spent: u64,
+    allowance: Option<Allowance>,
     watch: &'a mut Watch<'a>,
 }
 
@@ -48,17 +83,33 @@ impl<'a> Drive<'a> {
 
     /// An engine of that scene, wherever it is.
     pub fn of(engine: Box<dyn Engine>, scene: &Scene, watch: &'a mut Watch<'a>) -> Self {
-        let in_steps = |bead_steps: usize| (bead_steps / scene.n).max(1) as u64;
+        let in_steps = |bead_steps: usize, beads: usize| (bead_steps / beads).max(1) as u64;
         let slice = match scene.method.name() {
             MethodName::Ed => EVENTS,
-            MethodName::Exact => in_steps(EXACT_BEAD_STEPS),
-            _ => in_steps(BEAD_STEPS),
+            MethodName::Exact => in_steps(EXACT_BEAD_STEPS, scene.n.min(CLUSTER)),
+            _ => in_steps(BEAD_STEPS, scene.n),
         };
         Self {
             engine,
             slice,
+            spent: 0,
+            allowance: None,
             watch,
         }
+    }
+
+    /// The same, to be stopped when it has spent this.
+    #[must_use]
+    pub fn within(self, allowance: Allowance) -> Self {
+        Self {
+            allowance: Some(allowance),
+            ..self
+        }
+    }
+
+    /// Whole slices of work so far.
+    pub fn spent(&self) -> u64 {
+        self.spent
     }
 
     /// Moves on to `until`, s.
@@ -69,7 +120,10 @@ impl<'a> Drive<'a> {
         loop {
             let outcome = self.engine.advance(until, self.slice)?;
             let time = self.engine.time();
-            if (self.watch)(time).is_break() {
+            self.spent += u64::from(outcome == Outcome::OutOfBudget);
+            let given = self.allowance;
+            let spent = given.is_some_and(|given| given.is_spent(self.spent, time));
+            if spent || (self.watch)(time).is_break() {
                 return Err(RunError::Stopped { time });
             }
             if outcome != Outcome::OutOfBudget {

@@ -17,6 +17,8 @@ use beadlab::scene::{Floor, FloorContact, Law, Method, Scene, angular, diameters
 const TERMS: usize = 64;
 /// Part of the motion that a term left out may be.
 const NEGLIGIBLE: f64 = 1e-34;
+/// Rounding of a difference, over its terms.
+const ROUNDING: f64 = 1e-28;
 /// Velocities, over the largest, that no longer matter at the end of a collision: what
 /// they could still change of the energy is the square.
 const SETTLED: f64 = 1e-14;
@@ -50,6 +52,8 @@ pub struct Oracle {
     pub changes: u64,
     /// Steps so far.
     pub steps: u64,
+    /// Series of a gap so far: what the time goes into.
+    pub work: u64,
     /// Shortest contact that was seen to begin and end, s.
     pub shortest_contact: f64,
     began: Vec<Double>,
@@ -118,6 +122,7 @@ impl Oracle {
             rates,
             changes: 0,
             steps: 0,
+            work: 0,
             shortest_contact: f64::INFINITY,
             began: vec![start.time.into(); n],
         };
@@ -140,6 +145,11 @@ impl Oracle {
         self.gaps.iter().map(|g| g.hi).collect()
     }
 
+    /// Simulated time, s.
+    pub fn time(&self) -> f64 {
+        self.time.hi
+    }
+
     /// Rates of the gaps, m/s.
     pub fn rates(&self) -> Vec<f64> {
         self.rates.iter().map(|w| w.hi).collect()
@@ -153,18 +163,21 @@ impl Oracle {
         }
     }
 
-    /// Moves on until a floor collision without gravity is over; √(E_f/E_0) and E_r/E_f.
-    /// None if that takes more than `most` steps.
-    pub fn rebound(&mut self, most: u64) -> Option<(f64, f64)> {
+    /// Moves on until a floor collision without gravity is over; √(E_f/E_0) and E_r/E_f,
+    /// or where it stood when it had taken `most` series of a gap.
+    pub fn rebound(&mut self, most: u64) -> Result<(f64, f64), String> {
         let (before, _) = self.energies();
         while !self.is_over() {
-            if self.steps > most {
-                return None;
+            if self.work > most {
+                return Err(format!(
+                    "the reference gives up at t = {:e} s, after {} steps and {} contact changes",
+                    self.time.hi, self.steps, self.changes
+                ));
             }
             self.step(f64::MAX.into());
         }
         let (after, relative) = self.energies();
-        Some(((after / before).sqrt().hi, (relative / after).hi))
+        Ok(((after / before).sqrt().hi, (relative / after).hi))
     }
 
     /// Kinetic energy over a floor at rest, and that relative to the centre of mass.
@@ -234,9 +247,11 @@ impl Oracle {
             }
         }
         if let (Some((i, to)), true) = (change, h <= Double::ZERO) {
+            self.work += 1;
             self.carry_out(i, to);
             return;
         }
+        self.work += 1 + accelerated.len() as u64;
         let series = self.expand(&accelerated, h);
         let mut end = Double::ONE;
         for (&i, series) in accelerated.iter().zip(&series) {
@@ -375,9 +390,15 @@ impl Oracle {
                     .map_or(Double::ZERO, |c| *c * (k + 1) as f64 / h)
             };
             cut.then(|| {
-                (0..gap.len())
+                let mut pull: Vec<_> = (0..gap.len())
                     .map(|k| self.pull(i, gap[k], slope(k)))
-                    .collect()
+                    .collect();
+                // A force that has just come to zero is zero but for rounding: were its sign
+                // believed, the contact would turn back and forth without end.
+                if pull[0].hi.abs() <= ROUNDING * (self.stiffness[i] * gap[0]).hi.abs() {
+                    pull[0] = Double::ZERO;
+                }
+                pull
             })
         };
         let parts = || first_below_zero(&negative(gap)).map(|s| (s, Contact::Open));

@@ -1,7 +1,7 @@
 //! What is noted when contacts change, and when the collision is over.
 
 use super::{Exact, INSPECTION, Mode};
-use crate::physics::column::{OVER, most_to_lose, much_to_come, velocities};
+use crate::physics::column::{OVER, most_to_lose, much_to_come, reduced_mass, velocities};
 use crate::physics::flight::Ground;
 use crate::physics::moment::translation;
 use crate::physics::power_law::Spring;
@@ -16,13 +16,7 @@ impl<G: Ground> Exact<G> {
             self.repose.disturb();
         }
         if closed == was_closed {
-            // The force is zero now, whatever rounding says.
-            let Spring {
-                stiffness, dashpot, ..
-            } = self.springs[i];
-            if dashpot > 0.0 {
-                self.gaps[i].w = -stiffness * self.gaps[i].g / dashpot;
-            }
+            self.without_force(i);
             return;
         }
         self.gaps[i].g = 0.0;
@@ -30,6 +24,20 @@ impl<G: Ground> Exact<G> {
         self.state.books.contacts.note(i, closed, self.absolute(t));
         if i == 0 {
             self.note_floor(closed, t);
+        }
+    }
+
+    /// Makes the force of contact `i`, which is zero now, zero to the last bit: by the one
+    /// of overlap and rate that the other determines better.
+    fn without_force(&mut self, i: usize) {
+        let Spring {
+            stiffness, dashpot, ..
+        } = self.springs[i];
+        let gap = &mut self.gaps[i];
+        if dashpot * dashpot <= stiffness * reduced_mass(&self.masses, i) {
+            gap.g = -dashpot * gap.w / stiffness;
+        } else {
+            gap.w = -stiffness * gap.g / dashpot;
         }
     }
 

@@ -2,15 +2,11 @@
 
 use crate::physics::{Engine, EngineError, Observation, build};
 use crate::scene::Scene;
-use crate::study::{Drive, RunError};
+use crate::study::{Allowance, Drive, RunError, SLICE};
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
 
 /// Looks at a run under gravity.
 const LOOKS: usize = 200;
-
-/// A run that would take so many budgets is not waited for.
-const HOPELESS: f64 = 20.0;
 
 /// What is compared: one number, or one at each look.
 pub(super) type Numbers = Vec<f64>;
@@ -20,38 +16,28 @@ pub(super) type Numbers = Vec<f64>;
 pub(super) enum Ending {
     /// It came to its end.
     Done { numbers: Numbers, end: f64 },
-    /// The budget was spent; the whole run would take so long, s, where that is known.
+    /// Its work was spent; the whole run would take so long, s on an ordinary machine,
+    /// where that is known.
     Slow { needed: Option<f64> },
     /// The engine could not go on.
     Broken { error: EngineError },
 }
 
-/// Runs a scene, from its start or from another engine's. `end`: when it is known to
-/// be over, s.
+/// Runs a scene, from its start or from another engine's, in so many slices of work.
+/// `end`: when it is known to be over, s.
 pub(super) fn run(
     scene: &Scene,
     from: Option<Box<dyn Engine>>,
-    budget: Duration,
+    slices: u64,
     end: Option<f64>,
 ) -> Ending {
-    let started = Instant::now();
-    let end = scene.duration.or(end);
-    let estimate = |time: f64| {
-        let end = end.filter(|_| time > 0.0)?;
-        Some(started.elapsed().as_secs_f64() * (end / time).max(1.0))
+    let allowance = Allowance {
+        slices,
+        end: scene.duration.or(end),
     };
-    let mut in_budget = |time: f64| {
-        let spent = started.elapsed();
-        let hopeless = spent > budget / 4
-            && estimate(time).is_some_and(|all| all > HOPELESS * budget.as_secs_f64());
-        if spent > budget || hopeless {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    };
+    let mut nobody = |_| ControlFlow::Continue(());
     let engine = from.unwrap_or_else(|| build(scene, None).0);
-    let mut drive = Drive::of(engine, scene, &mut in_budget);
+    let mut drive = Drive::of(engine, scene, &mut nobody).within(allowance);
     let followed = match scene.duration.filter(|_| scene.gravity.is_some()) {
         Some(duration) => heights(&mut drive, duration),
         None => collision(&mut drive, scene),
@@ -62,7 +48,9 @@ pub(super) fn run(
             end: drive.time(),
         },
         Err(RunError::Stopped { time }) => Ending::Slow {
-            needed: estimate(time),
+            needed: allowance
+                .needed(drive.spent(), time)
+                .map(|slices| slices * SLICE),
         },
         Err(RunError::Engine(error)) => Ending::Broken { error },
     }
