@@ -18,6 +18,9 @@ const MOST_PERIODS: usize = 200_000;
 /// The limit enters every difference, so it is looked at longer.
 const LIMIT_LONGER: usize = 4;
 
+/// Undecided contact times that are followed further at once.
+const AT_ONCE: usize = 2;
+
 /// New contact times in a bracket at once.
 const SECTIONS: usize = 3;
 
@@ -189,14 +192,15 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Follows what is not decided below the first that is beyond for twice as many
-    /// periods. False when there is nothing more to follow.
+    /// Follows the shortest that are not decided, below the first that is beyond, for
+    /// twice as many periods. False when there is nothing more to follow.
     fn look_longer(&mut self, verdicts: &[Verdict], tell: &mut Tell) -> bool {
         let beyond = verdicts.iter().position(|v| *v == Verdict::Beyond);
         let below = &verdicts[..beyond.unwrap_or(verdicts.len())];
         let is_open =
             |k: &usize| below[*k] == Verdict::Undecided && self.probes[*k].periods() < MOST_PERIODS;
-        let open: Vec<usize> = (0..below.len()).filter(is_open).collect();
+        // The answer hangs on the shortest of them.
+        let open: Vec<usize> = (0..below.len()).filter(is_open).take(AT_ONCE).collect();
         !open.is_empty() && self.extend(&open, tell)
     }
 
