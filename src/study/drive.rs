@@ -151,6 +151,11 @@ impl<'a> Drive<'a> {
         Ok(false)
     }
 
+    /// The engine, to go on with it later.
+    pub fn into_engine(self) -> Box<dyn Engine> {
+        self.engine
+    }
+
     /// Whether the floor collision is over.
     pub fn is_over(&self) -> bool {
         self.engine.is_over()
