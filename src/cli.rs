@@ -40,6 +40,23 @@ Examples:
   beadlab accuracy fig7-md               a chaotic plate: when runs part, and means
   beadlab accuracy --out report          also as CSV, JSON and SVG, in a folder";
 
+const ADVISE_EXAMPLES: &str = "\
+Examples:
+  beadlab advise                         how short must Fig. 1(b)'s contacts be?
+  beadlab advise fig1b --set s0=1e-5 --tolerance 0.001
+  beadlab advise steel                   a plate: mean E_r/E and h_cm
+  beadlab advise steel --against material    longer than steel's own, what changes?
+  beadlab advise fig3-hertz --against 1e-7   power laws: against a contact time
+  beadlab advise my-column.toml --between 1e-7:1e-4 --out report
+
+The answer is the longest contact time t_c up to which every one that was looked at
+keeps eps_eff (without gravity), or the means of E_r/E and h_cm (on a plate that
+vibrates), within --tolerance of the limit; then the step, and what a run costs there.
+Where means are too uncertain to say, it says so; --budget gives more time.
+
+Exit codes: 0 answered (also when no t_c will do), 1 the limit cannot be measured,
+2 bad input.";
+
 const STABILITY_EXAMPLES: &str = "\
 Examples:
   beadlab stability                      every method on every case
@@ -106,6 +123,9 @@ pub enum Command {
     /// Error against run time of every method that fits a scene
     #[command(after_help = ACCURACY_EXAMPLES)]
     Accuracy(AccuracyArgs),
+    /// The longest contact time that will do, the step, and what it costs
+    #[command(after_help = ADVISE_EXAMPLES)]
+    Advise(AdviseArgs),
     /// Where each method breaks: stiff and extreme cases, and the largest stable step
     #[command(after_help = STABILITY_EXAMPLES)]
     Stability(StabilityArgs),
@@ -194,6 +214,44 @@ pub struct AccuracyArgs {
     pub settings: Vec<String>,
 
     /// Time for all runs together, in seconds of yours
+    #[arg(long, value_name = "SECONDS", value_parser = budget, allow_hyphen_values = true)]
+    pub budget: Option<f64>,
+
+    /// How it is reported.
+    #[command(flatten)]
+    pub report: ReportArgs,
+}
+
+/// Arguments of `beadlab advise`.
+#[derive(Debug, Args)]
+pub struct AdviseArgs {
+    /// A preset's name, or a TOML file; hard spheres stand for their soft twins
+    #[arg(value_name = "PRESET|FILE.toml", default_value = "fig1b")]
+    pub preset: String,
+
+    /// Change a parameter, SI units (repeatable; `beadlab run --help` lists them)
+    #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub settings: Vec<String>,
+
+    /// What is allowed, as a part of the limit: 0.01 without gravity and on a floor at
+    /// rest, 0.05 on a plate where nobody says otherwise
+    #[arg(long, value_name = "PART", value_parser = tolerance, allow_hyphen_values = true)]
+    pub tolerance: Option<f64>,
+
+    /// The limit: hard spheres, the scene's own contact time, or another one in seconds
+    #[arg(
+        long,
+        value_name = "hard|material|SECONDS",
+        default_value = "hard",
+        allow_hyphen_values = true
+    )]
+    pub against: String,
+
+    /// Shortest and longest contact time to look at, in seconds
+    #[arg(long, value_name = "SHORT:LONG", value_parser = between, allow_hyphen_values = true)]
+    pub between: Option<(f64, f64)>,
+
+    /// Time for the search, in seconds of yours
     #[arg(long, value_name = "SECONDS", value_parser = budget, allow_hyphen_values = true)]
     pub budget: Option<f64>,
 
@@ -346,6 +404,24 @@ fn budget(text: &str) -> Result<f64, String> {
     match positive(text)? {
         x if x <= 1e6 => Ok(x),
         _ => Err("must be a number above 0 and at most 1e6".to_owned()),
+    }
+}
+
+/// A part of something that may differ.
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if (1e-12..=1.0).contains(&x) => Ok(x),
+        _ => Err("must be a number from 1e-12 to 1".to_owned()),
+    }
+}
+
+/// Two contact times, the shorter one first.
+fn between(text: &str) -> Result<(f64, f64), String> {
+    let parts = text.split_once(':');
+    let numbers = parts.and_then(|(a, b)| Some((positive(a).ok()?, positive(b).ok()?)));
+    match numbers {
+        Some((from, to)) if from < to => Ok((from, to)),
+        _ => Err("must be two numbers above 0, the smaller one first, like 1e-7:1e-4".to_owned()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! What the program does: one file a subcommand.
 
 pub mod accuracy;
+pub mod advise;
 pub mod explore;
 pub mod figure;
 mod output;
@@ -69,6 +70,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
     match cli.command {
         Some(Command::Run(args)) => run::run(&args),
         Some(Command::Accuracy(args)) => accuracy::run(&args),
+        Some(Command::Advise(args)) => advise::run(&args),
         Some(Command::Stability(args)) => stability::run(&args),
         Some(Command::Speed(args)) => speed::run(&args),
         Some(Command::Sweep(args)) => sweep::run(&args),

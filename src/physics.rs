@@ -12,6 +12,7 @@ mod contacts;
 mod ed;
 mod exact;
 mod flight;
+mod lattice;
 mod ledger;
 mod linear_law;
 mod md;
@@ -24,7 +25,7 @@ mod state;
 mod tournament;
 
 pub use linear_law::{LinearLaw, floor_restitution};
-pub use observation::{Energy, Observation};
+pub use observation::{Discs, Energy, Observation};
 pub use state::{Handover, State};
 
 use crate::scene::{Method, Scene, Solver};
@@ -150,6 +151,9 @@ pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover)
         None => (State::initial(scene), Handover::default()),
         Some(state) => state.adopt(scene),
     };
+    if let Some(sites) = scene.sites() {
+        return (lattice::build(scene, sites, state), handover);
+    }
     let engine = match scene.method {
         Method::Md {
             solver: Solver::Grid { .. },

@@ -6,6 +6,7 @@
 
 mod encounter;
 mod error;
+pub mod lattice;
 mod law;
 mod method;
 pub mod parameters;
@@ -37,6 +38,20 @@ pub enum Start {
     },
     /// At rest on the floor and moving with it, contacts in static equilibrium.
     Resting,
+}
+
+/// How the beads are arranged.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Arrangement {
+    /// One above the other.
+    Column,
+    /// Rows of a triangular lattice that is periodic across, in a plane (Sec. IV C).
+    Lattice {
+        /// Beads in a row: the width is so many lattice constants.
+        columns: usize,
+        /// Tangential dissipation constant D_t, 1/s, Eq. (4); mostly 0.
+        tangential: f64,
+    },
 }
 
 /// What the column stands on.
@@ -128,7 +143,9 @@ pub enum Method {
 /// The facts of a scene, before they are checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Facts {
-    /// Number of beads N.
+    /// How the beads are arranged.
+    pub arrangement: Arrangement,
+    /// Number of beads N, of a lattice whole rows.
     pub n: usize,
     /// Mean diameter d, m.
     pub diameter: f64,
@@ -236,6 +253,11 @@ impl Facts {
             }
             _ => None,
         }
+    }
+
+    /// Beads above one another: all of a column, the rows of a lattice.
+    pub fn layers(&self) -> usize {
+        self.sites().map_or(self.n, |sites| sites.rows)
     }
 
     /// Period of the plate, s.

@@ -4,9 +4,11 @@
 //! waits for it is told through a callback how far it is, and may stop it.
 
 pub mod accuracy;
+pub mod advise;
 mod drive;
 pub mod figures;
 mod fit;
+mod means;
 mod measure;
 pub mod plot;
 mod sensitivity;

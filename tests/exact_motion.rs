@@ -138,6 +138,29 @@ fn a_column_is_thrown_by_a_plate() {
 }
 
 #[test]
+fn a_bead_lands_alone_whatever_the_plate_does_meanwhile() {
+    let contact_time = 1e-3;
+    // Plates that hardly move in a contact, that turn a quarter, and that swing through.
+    for (turns, restitution, n) in [(0.0, 0.9, 1), (0.02, 0.3, 1), (0.1, 0.9, 2), (0.3, 0.6, 2)] {
+        let shaken = on_plate(n, contact_time, 2.0, f64::max(turns, 1e-3) / contact_time);
+        let fixed = turns == 0.0;
+        let facts = Facts {
+            restitution,
+            floor: if fixed { Floor::Fixed } else { shaken.floor },
+            start: Start::Separated {
+                s0: 3e-3,
+                jitter: false,
+                v0: -2.0,
+            },
+            ..shaken
+        };
+        let what = format!("{turns} turns of the plate in a contact");
+        let (changes, _) = follow(&what, facts, 5.0 * contact_time, 100, as_built);
+        assert!(changes >= 2, "{what}: it should land and leave");
+    }
+}
+
+#[test]
 fn beads_ride_a_plate_that_cannot_throw_them() {
     for n in [1, 4] {
         let facts = on_plate(n, 1e-4, 0.9, 20.0);

@@ -10,12 +10,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use beadlab::live::{self, Accuracy, Build, Distance, Frame, Live, Order, reference};
-use beadlab::physics::{self, Engine, EngineError, Handover, Observation, Outcome, State};
+use beadlab::physics::{self, Engine, Handover, Outcome, State};
 use beadlab::scene::{Facts, Integrator, Method, MethodName, Scene, Solver, parameters};
 use beadlab::tui::model::Model;
 use beadlab::tui::update::{Command, Msg, update};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-use explorer::{Act, COLOURS, load, play, preset, real, sweep, twins, type_text, until};
+use explorer::{Act, Behind, COLOURS, load, play, preset, real, sweep, twins, type_text, until};
 
 /// Fig. 1(b) by another solver: ten beads meet a floor within 0.2 ms.
 fn fig1b(solver: Solver) -> Scene {
@@ -83,52 +83,31 @@ fn counted(stuck: bool) -> (Build, [Arc<AtomicUsize>; 2]) {
         if scene.method.name() != MethodName::Exact {
             return (engine, handover);
         }
-        now.fetch_add(1, Ordering::SeqCst);
         ever.fetch_add(1, Ordering::SeqCst);
-        let now = now.clone();
-        (Box::new(Counted { engine, now, stuck }), handover)
+        let counted = Counted::new(&now);
+        let advance = Box::new(move |_| {
+            // The engine's life is this closure's.
+            let _ = &counted;
+            stuck.then_some(Ok(Outcome::OutOfBudget))
+        });
+        (Box::new(Behind { engine, advance }), handover)
     };
     (Box::new(build), counts)
 }
 
-struct Counted {
-    engine: Box<dyn Engine>,
-    now: Arc<AtomicUsize>,
-    stuck: bool,
+/// One more, as long as it lives.
+struct Counted(Arc<AtomicUsize>);
+
+impl Counted {
+    fn new(count: &Arc<AtomicUsize>) -> Self {
+        count.fetch_add(1, Ordering::SeqCst);
+        Self(count.clone())
+    }
 }
 
 impl Drop for Counted {
     fn drop(&mut self) {
-        self.now.fetch_sub(1, Ordering::SeqCst);
-    }
-}
-
-impl Engine for Counted {
-    fn time(&self) -> f64 {
-        self.engine.time()
-    }
-
-    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
-        if self.stuck {
-            return Ok(Outcome::OutOfBudget);
-        }
-        self.engine.advance(until, budget)
-    }
-
-    fn is_over(&self) -> bool {
-        self.engine.is_over()
-    }
-
-    fn next_event(&self) -> Option<f64> {
-        self.engine.next_event()
-    }
-
-    fn observe(&self, into: &mut Observation) {
-        self.engine.observe(into);
-    }
-
-    fn state(&self) -> State {
-        self.engine.state()
+        self.0.fetch_sub(1, Ordering::SeqCst);
     }
 }
 

@@ -4,7 +4,7 @@
 mod program;
 
 use beadlab::scene::preset::embedded;
-use beadlab::scene::{Floor, Method, MethodName, Preset, Solver, Start};
+use beadlab::scene::{Arrangement, Floor, Method, MethodName, Preset, Solver, Start};
 use std::fs;
 use std::path::PathBuf;
 
@@ -37,6 +37,7 @@ fn the_presets_of_the_design_are_embedded_and_teach() {
         "fig1d",
         "fig1e",
         "fig1f",
+        "fig4",
         "fig5a",
         "fig5b",
         "fig6a",
@@ -139,6 +140,24 @@ fn the_floor_collisions_have_the_papers_numbers() {
             Ok(load(hard).scene)
         );
     }
+}
+
+#[test]
+fn the_lattice_has_the_papers_numbers() {
+    let scene = load("fig4").scene;
+    let arrangement = Arrangement::Lattice {
+        columns: 13,
+        tangential: 0.0,
+    };
+    assert_eq!((scene.n, scene.arrangement), (130, arrangement));
+    assert!(close(scene.diameter, 1e-3) && close(scene.restitution, 0.9));
+    let (Start::Separated { s0, jitter, v0 }, Some(contact_time)) =
+        (scene.start, scene.contact_time())
+    else {
+        panic!("a soft lattice is thrown");
+    };
+    assert!(jitter && (1e-7..=1e-3).contains(&s0) && (0.01..=1.0).contains(&-v0));
+    assert!((0.2e-5..=1e-4).contains(&contact_time));
 }
 
 #[test]

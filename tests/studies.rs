@@ -204,10 +204,13 @@ fn formats_are_read_by_machines() {
 fn bad_input_is_one_line() {
     for (arguments, line) in [
         (
-            &["accuracy", "fig1d"][..],
-            "contact_time: missing; scenes with soft contacts",
+            &["accuracy", "nosuch"][..],
+            "nosuch: no such preset or file",
         ),
-        (&["accuracy", "nosuch"], "nosuch: no such preset or file"),
+        (
+            &["accuracy", "fig4"],
+            "a lattice has no exact run to compare",
+        ),
         (
             &["accuracy", "--set", "n=0"],
             "n = 0: must be a whole number",
@@ -262,4 +265,12 @@ fn run_says_when_the_grid_is_too_coarse() {
         1,
         "{stderr}"
     );
+}
+
+#[test]
+fn a_hard_preset_is_compared_by_the_soft_one_beside_it() {
+    let run = beadlab(&["accuracy", "fig1d", "--quick", "--budget", "0.5"]);
+    assert!(run.status.success());
+    let note = String::from_utf8_lossy(&run.stderr);
+    assert!(note.contains("fig1a"), "{note}");
 }

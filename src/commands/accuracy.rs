@@ -2,8 +2,9 @@
 
 use super::progress::Waiting;
 use super::report::Destination;
-use super::{Failure, bad_input, load};
+use super::{Failure, bad_input, load, note};
 use crate::cli::AccuracyArgs;
+use crate::scene::{MethodName, Preset};
 use crate::study::accuracy::{AccuracyError, Effort, accuracy};
 use std::time::Duration;
 
@@ -18,7 +19,7 @@ const QUICK_TIME: Duration = Duration::from_secs(4);
 /// [`Failure::BadInput`] for a scene that cannot be compared or a folder that cannot
 /// be written, [`Failure::Failed`] when the reference run fails.
 pub fn run(args: &AccuracyArgs) -> Result<(), Failure> {
-    let preset = load(&args.preset, None, &args.settings)?;
+    let preset = soft(args)?;
     let destination = Destination::open(&args.report)?;
     let common = match preset.scene.gravity {
         _ if args.report.quick => QUICK_TIME,
@@ -35,8 +36,27 @@ pub fn run(args: &AccuracyArgs) -> Result<(), Failure> {
     })
     .map_err(|error| match error {
         AccuracyError::Scene(error) => bad_input(error),
+        AccuracyError::Lattice => bad_input(error),
         error => Failure::Failed(error.to_string()),
     })?;
     drop(waiting);
     destination.write(&report.of(&preset.scene, &preset.name))
+}
+
+/// The preset asked for, or the soft one beside it if its spheres are hard.
+fn soft(args: &AccuracyArgs) -> Result<Preset, Failure> {
+    let asked = Preset::load(&args.preset).map_err(bad_input)?;
+    if asked.scene.is_md() {
+        return load(&args.preset, None, &args.settings);
+    }
+    match asked.beside {
+        Some(beside) => {
+            let name = asked.name;
+            note(&format!(
+                "{name} has hard spheres: {beside}, beside it, is compared"
+            ));
+            load(&beside, None, &args.settings)
+        }
+        None => load(&args.preset, Some(MethodName::Exact), &args.settings),
+    }
 }

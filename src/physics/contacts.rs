@@ -77,6 +77,14 @@ impl ContactLog {
         }
     }
 
+    /// One more contact, open and never closed so far; its number.
+    pub fn add(&mut self) -> usize {
+        self.closed.push(false);
+        self.ended.push(None);
+        self.open_count += 1;
+        self.closed.len() - 1
+    }
+
     /// Goes on with another plate period.
     pub fn set_period(&mut self, period: Option<f64>) {
         if self.flights.period != period {
@@ -92,26 +100,38 @@ impl ContactLog {
         self.closed[i] = closed;
         if closed {
             self.open_count -= 1;
-            if i == 0 {
-                self.floor.0.get_or_insert(time);
-            }
-            if let Some(ended) = self.ended[i] {
-                self.flights.add(time, time - ended);
-            }
+            self.begins(i, time);
         } else {
             self.open_count += 1;
-            self.ended[i] = Some(time);
-            self.last = Some(time);
-            if i == 0 {
-                self.floor.1 = Some(time);
-            }
+            self.ends(i, time);
         }
     }
 
     /// Notes a collision that begins and ends at once.
     pub fn touch(&mut self, i: usize, time: f64) {
-        self.note(i, true, time);
-        self.note(i, false, time);
+        if self.closed[i] {
+            self.note(i, false, time);
+        } else {
+            self.begins(i, time);
+            self.ends(i, time);
+        }
+    }
+
+    fn begins(&mut self, i: usize, time: f64) {
+        if i == 0 {
+            self.floor.0.get_or_insert(time);
+        }
+        if let Some(ended) = self.ended[i] {
+            self.flights.add(time, time - ended);
+        }
+    }
+
+    fn ends(&mut self, i: usize, time: f64) {
+        self.ended[i] = Some(time);
+        self.last = Some(time);
+        if i == 0 {
+            self.floor.1 = Some(time);
+        }
     }
 
     /// Which gaps are contacts.

@@ -9,7 +9,7 @@ mod cascade;
 mod chatter;
 mod rule;
 
-use super::column::{masses, nothing_to_come, reduced_mass, restitutions};
+use super::column::{masses, much_to_come, nothing_to_come, reduced_mass, restitutions};
 use super::flight::{Free, Ground, Shaken, Weight, closing};
 use super::ledger::Ledger;
 use super::moment::Moment;
@@ -92,6 +92,8 @@ struct Ed<G, R> {
     threshold: f64,
     chatter: Chatter,
     rest_time: f64,
+    /// Kinetic energy at the start or after an edit, m²/s²; without gravity it only falls.
+    kinetic_at_first: f64,
     check_at: u64,
     over: bool,
     state: State,
@@ -130,6 +132,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             rest_time: scene
                 .gravity
                 .map_or(0.0, |gravity| REST * (scene.diameter / gravity).sqrt()),
+            kinetic_at_first: f64::INFINITY,
             check_at: 0,
             over: false,
             masses,
@@ -161,11 +164,10 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
         let (gaps, rates) = self.gaps_and_rates(0.0);
         let energy = self.moment(&gaps, &rates, 0.0).energy();
+        self.kinetic_at_first = energy.kinetic;
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
-        for i in 0..self.gaps.len() {
-            self.schedule(i);
-        }
+        self.schedule(0, self.gaps.len() - 1);
         self.schedule_take_off();
         self.queue.set(self.gaps.len() + 1, self.ground.tick());
     }
@@ -221,14 +223,18 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         };
     }
 
-    fn schedule(&mut self, i: usize) {
-        let Gap { g, w, t } = self.gaps[i];
-        let time = match () {
-            () if i < self.stack => f64::INFINITY,
-            () if G::PULLS && i == self.stack => self.ground.hit(t, g, w),
-            () => closing(t, g, w),
-        };
-        self.queue.set(i, time);
+    /// Schedules the gaps from `low` to `high`.
+    fn schedule(&mut self, low: usize, high: usize) {
+        for i in low..=high {
+            let Gap { g, w, t } = self.gaps[i];
+            let time = match () {
+                () if i < self.stack => f64::INFINITY,
+                () if G::PULLS && i == self.stack => self.ground.hit(t, g, w),
+                () => closing(t, g, w),
+            };
+            self.queue.write(i, time);
+        }
+        self.queue.play_again(low, high);
     }
 
     fn schedule_take_off(&mut self) {
@@ -273,9 +279,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
         let time = self.absolute(t);
         self.state.books.contacts.note(0, false, time);
-        for i in 0..=stack.min(self.gaps.len() - 1) {
-            self.schedule(i);
-        }
+        self.schedule(0, stack.min(self.gaps.len() - 1));
         self.schedule_take_off();
     }
 
@@ -299,11 +303,16 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         if G::PULLS || self.over {
             return;
         }
-        let never = self.queue.first().1.is_infinite();
+        let (next, when) = self.queue.first();
+        let never = when.is_infinite();
         if !never && self.state.books.events < self.check_at {
             return;
         }
         self.check_at = self.state.books.events + self.gaps.len() as u64;
+        let rate = self.gaps.get(next).map_or(0.0, |gap| gap.w);
+        if !never && much_to_come(&self.masses, next, rate, self.kinetic_at_first) {
+            return;
+        }
         let rates = self.gaps.iter().map(|gap| gap.w);
         self.over = never || nothing_to_come(rates, &self.masses);
     }

@@ -10,12 +10,14 @@
 mod cluster;
 mod crossing;
 mod encounter;
+mod landing;
 mod passage;
 mod repose;
 mod rest;
 mod series;
+mod upkeep;
 
-use super::column::{OVER, masses, most_to_lose, reduced_mass, springs, velocities};
+use super::column::{masses, springs};
 use super::flight::{Free, Ground, Shaken, Weight};
 use super::ledger::Ledger;
 use super::moment::Moment;
@@ -28,6 +30,7 @@ use crate::scene::{Floor, Law, Method, Scene};
 use cluster::Plan;
 use crossing::ROWS;
 use encounter::Encounter;
+use landing::Landing;
 use repose::Repose;
 use series::Coupling;
 
@@ -88,6 +91,8 @@ struct Exact<G> {
     springs: Vec<Spring>,
     /// How each contact goes when nothing else touches its beads.
     encounters: Vec<Option<Encounter>>,
+    /// The contact of bead 1 alone with the floor, under gravity.
+    landing: Option<Landing>,
     attraction: bool,
     gravity: f64,
     /// The most that a free lowest gap can accelerate towards the floor, m/s².
@@ -113,11 +118,13 @@ struct Exact<G> {
     tick: f64,
     /// Now, s from the epoch.
     now: f64,
+    repose: Repose,
     /// Events since the epoch was moved.
     since: usize,
-    repose: Repose,
-    /// Contact changes after which it is looked whether the collision is over.
-    check_at: u64,
+    /// Energy at the start or after an edit, m²/s²; without gravity it only falls.
+    energy_at_first: f64,
+    /// Contact changes, and steps, after which it is looked whether the collision is over.
+    check_at: (u64, u64),
     /// Changes in a row that took no time.
     instant: usize,
     over: bool,
@@ -159,6 +166,7 @@ impl<G: Ground> Exact<G> {
         let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
         let mut exact = Self {
             encounters: Encounter::all(&springs, &masses),
+            landing: None,
             springs,
             pull: weight(scene) + shake,
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
@@ -178,9 +186,10 @@ impl<G: Ground> Exact<G> {
             ticks: 0.0,
             tick: (TICK * contact_time).log2().round().exp2(),
             now: 0.0,
-            since: 0,
             repose: Repose::new(n),
-            check_at: 0,
+            since: 0,
+            energy_at_first: f64::INFINITY,
+            check_at: (0, INSPECTION),
             instant: 0,
             over: false,
             masses,
@@ -205,6 +214,7 @@ impl<G: Ground> Exact<G> {
             self.state.books.bounce.begin(arrival);
         }
         let energy = self.moment(&gaps, &rates, 0.0).energy();
+        self.energy_at_first = energy.kinetic + energy.elastic;
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
         self.regroup(0, n, 0.0);
@@ -242,7 +252,6 @@ impl<G: Ground> Exact<G> {
 
     /// Moves the epoch to the last tick before now, so that times keep their digits.
     fn move_epoch(&mut self) {
-        self.since += 1;
         if self.now < self.tick || BEADS_AN_EVENT * self.since < self.gaps.len() {
             return;
         }
@@ -261,6 +270,7 @@ impl<G: Ground> Exact<G> {
 
     /// Carries out what the cluster that starts at `i` has planned, at `t`.
     fn carry_out(&mut self, i: usize, t: f64) -> Result<(), EngineError> {
+        self.since += 1;
         let taken = t - self.gaps[i].t;
         self.instant = if taken > 0.0 { 0 } else { self.instant + 1 };
         let end = self.end[i];
@@ -283,77 +293,6 @@ impl<G: Ground> Exact<G> {
             bead: i + 1,
             what,
         })
-    }
-
-    /// Gap `i` begins or ends to be a contact, or its attraction begins or ends.
-    fn change(&mut self, i: usize, mode: Mode, t: f64) {
-        let was_closed = self.modes[i] != Mode::Open;
-        let closed = mode != Mode::Open;
-        self.modes[i] = mode;
-        if i <= self.end[0] {
-            self.repose.disturb();
-        }
-        if closed == was_closed {
-            self.without_force(i);
-            return;
-        }
-        self.gaps[i].g = 0.0;
-        self.state.books.events += 1;
-        self.state.books.contacts.note(i, closed, self.absolute(t));
-        if i == 0 {
-            self.note_floor(closed, t);
-        }
-    }
-
-    /// Makes the force of contact `i`, which is zero now, zero to the last bit: by the one
-    /// of overlap and rate that the other determines better.
-    fn without_force(&mut self, i: usize) {
-        let Spring {
-            stiffness, dashpot, ..
-        } = self.springs[i];
-        let gap = &mut self.gaps[i];
-        if dashpot * dashpot <= stiffness * reduced_mass(&self.masses, i) {
-            gap.g = -dashpot * gap.w / stiffness;
-        } else {
-            gap.w = -stiffness * gap.g / dashpot;
-        }
-    }
-
-    /// The floor's contact begins or ends. A column that has arrived and meets the floor
-    /// again is part of the same bounce, and not measured: that would cost O(N).
-    fn note_floor(&mut self, closed: bool, t: f64) {
-        if closed && self.state.books.bounce.has_arrived() {
-            return;
-        }
-        let (gaps, rates) = self.gaps_and_rates(t);
-        let arrival = self.moment(&gaps, &rates, t).arrival();
-        self.state.books.bounce.turn(closed, arrival);
-    }
-
-    /// Whether a floor collision without gravity is over, looked at when all contacts
-    /// have opened and now and then: overdamped contacts of heavy pairs never open, but
-    /// spend all they have.
-    fn look_whether_over(&mut self) {
-        if G::PULLS || self.over {
-            return;
-        }
-        let open = self.state.books.contacts.all_open();
-        // Once in N contacts is enough, and costs each of them O(1).
-        let due = open && self.state.books.events >= self.check_at;
-        if !due && (open || !self.state.books.steps.is_multiple_of(INSPECTION)) {
-            return;
-        }
-        self.check_at = self.state.books.events + self.gaps.len() as u64;
-        let (gaps, rates) = self.gaps_and_rates(self.now);
-        let energy = self.moment(&gaps, &rates, self.now).energy();
-        let spent = open || energy.elastic <= OVER * energy.kinetic;
-        // Of E_r, too, no part is to be lost that would show, unless it is nothing itself.
-        let least = energy
-            .relative
-            .max(OVER * energy.kinetic)
-            .min(energy.kinetic);
-        let lost = || most_to_lose(velocities(rates.into_iter()), &self.masses);
-        self.over = spent && lost() <= OVER * least;
     }
 
     /// What is accounted for, up to now.

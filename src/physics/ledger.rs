@@ -2,8 +2,8 @@
 
 use super::observation::Energy;
 
-/// A running sum that carries its rounding error along (Neumaier), since a run adds
-/// millions of small losses to a large one.
+/// A running sum that carries its rounding error along (Knuth's two-sum), since a
+/// run adds millions of small losses to a large one.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Sum {
     value: f64,
@@ -13,11 +13,8 @@ pub(crate) struct Sum {
 impl Sum {
     pub fn add(&mut self, x: f64) {
         let sum = self.value + x;
-        self.carry += if self.value.abs() >= x.abs() {
-            (self.value - sum) + x
-        } else {
-            (x - sum) + self.value
-        };
+        let added = sum - self.value;
+        self.carry += (self.value - (sum - added)) + (x - added);
         self.value = sum;
     }
 

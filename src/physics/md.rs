@@ -19,13 +19,15 @@ use super::column::{masses, springs};
 use super::power_law::Spring;
 use super::state::State;
 use crate::scene::{self, Floor, Integrator, Method, Scene, Solver};
-use chain::{Equal, Law, Linear, Unequal};
+use chain::{Equal, Unequal};
+pub(super) use chain::{Law, Linear};
 use engine::Md;
 pub(super) use gear::CORRECTOR;
 use gear::Gear;
 use ground::{Free, Ground, Shaken, Weight};
-use powered::Powered;
+pub(super) use powered::Powered;
 use stepper::Stepper;
+pub(super) use upkeep::MOST_STEPS;
 use verlet::Verlet;
 
 /// What a scene on a grid has.

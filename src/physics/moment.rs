@@ -86,6 +86,7 @@ impl Moment<'_> {
             plate: self.plate,
             ledger_error: books.ledger.error(self.energy()),
             springs: self.springs.to_vec(),
+            bonds: Vec::new(),
             books,
         }
     }
@@ -119,6 +120,7 @@ impl Moment<'_> {
         (into.floor_touched, into.floor_left) = books.contacts.floor();
         into.steps = books.steps;
         into.events = books.events;
+        into.discs = None;
     }
 }
 

@@ -20,7 +20,7 @@ pub struct Energy {
     pub drift: f64,
 }
 
-/// What can be seen of a column at one moment.
+/// What can be seen of a column, or of a lattice, at one moment.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Observation {
     /// Simulated time, s.
@@ -31,11 +31,11 @@ pub struct Observation {
     pub floor_velocity: f64,
     /// Reduced heights z_i, m: zero for every bead of a column that just touches on z = 0.
     pub reduced: Vec<f64>,
-    /// Velocities, m/s.
+    /// Velocities upwards, m/s.
     pub velocities: Vec<f64>,
-    /// Gaps g_i, m; negative is overlap. `gaps[0]` is between floor and bead 1.
+    /// Gaps g_i of a column, m; negative is overlap. `gaps[0]` is between floor and bead 1.
     pub gaps: Vec<f64>,
-    /// Which gaps are contacts now.
+    /// Which of them are contacts now.
     pub contacts: Vec<bool>,
     /// Mean reduced height of the centre of mass, m.
     pub centre: f64,
@@ -63,4 +63,24 @@ pub struct Observation {
     pub steps: u64,
     /// Collisions done (ED).
     pub events: u64,
+    /// Where the beads of a lattice are in their plane; of a lattice only.
+    pub discs: Option<Discs>,
+}
+
+/// The beads of a lattice in their plane, which repeats itself across.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Discs {
+    /// Width L after which everything repeats, m.
+    pub period: f64,
+    /// Diameter of all beads, m.
+    pub diameter: f64,
+    /// Places of the centres across, m; beads that leave on one side are not brought back
+    /// in on the other: where they are in a period is the remainder by it.
+    pub x: Vec<f64>,
+    /// Heights of the centres over the floor at 0, m.
+    pub heights: Vec<f64>,
+    /// Which beads touch another or the floor.
+    pub touching: Vec<bool>,
+    /// Pairs of beads that touch, the lower number first.
+    pub contacts: Vec<[usize; 2]>,
 }

@@ -10,7 +10,7 @@
 use super::column::{masses, springs};
 use super::md::CORRECTOR;
 use super::power_law::Spring;
-use crate::scene::{Integrator, Law, Method, Scene, Solver};
+use crate::scene::{Arrangement, Integrator, Law, Method, Scene, Solver};
 use nalgebra::{DMatrix, Matrix3, Matrix6, RowVector3, RowVector6, Schur, Vector6};
 use std::f64::consts::PI;
 
@@ -41,6 +41,9 @@ pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
     };
     let masses = masses(scene);
     let springs = springs(scene, &masses);
+    if let Arrangement::Lattice { tangential, .. } = scene.arrangement {
+        return Some(lattice_mode(&springs, tangential));
+    }
     let uniform = scene.width == 0.0 && springs.iter().all(|s| s.stiffness == springs[0].stiffness);
     let stiffness = if uniform {
         // Modes of a chain of equal springs, held below and free above.
@@ -57,6 +60,19 @@ pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
         largest_eigenvalue(&masses, &springs, |spring| spring.dashpot)
     };
     Some(Mode { stiffness, damping })
+}
+
+/// The stiffest mode of a triangular lattice of equal springs: λ = 6K, where rows move
+/// against each other. Drag across contacts damps some modes by up to 6 D_t more; taken
+/// together that is on the safe side.
+fn lattice_mode(springs: &[Spring], tangential: f64) -> Mode {
+    let (floor, pair) = (springs[0], springs[springs.len() - 1]);
+    // The floor takes the place of two springs that together have 3/2 K upwards.
+    let beyond = |floor: f64, pair: f64| (floor - 1.5 * pair).max(0.0);
+    Mode {
+        stiffness: 6.0 * pair.stiffness + beyond(floor.stiffness, pair.stiffness),
+        damping: 6.0 * (pair.dashpot + tangential) + beyond(floor.dashpot, pair.dashpot),
+    }
 }
 
 /// The largest time step, s, with which an integrator is stable on the scene's column

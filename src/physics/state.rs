@@ -18,14 +18,15 @@ pub(crate) struct Books {
     pub events: u64,
 }
 
-/// The whole state of a column.
+/// The whole state of a column or a lattice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
     /// Simulated time, s.
     pub time: f64,
-    /// Gaps, m; index 0 is between floor and bead 1.
+    /// Gaps, m; index 0 is between floor and bead 1. Of a lattice the displacements of
+    /// its beads from their sites: all across, then all up.
     pub gaps: Vec<f64>,
-    /// Rates of the gaps, m/s.
+    /// Rates of those, m/s.
     pub rates: Vec<f64>,
     pub(crate) plate: Plate,
     pub(crate) books: Books,
@@ -33,6 +34,8 @@ pub struct State {
     pub(crate) ledger_error: f64,
     /// Springs of the engine that left this state; none of hard beads.
     pub(crate) springs: Vec<Spring>,
+    /// Of a lattice the pairs whose contacts the log has, after the floor's.
+    pub(crate) bonds: Vec<[u32; 2]>,
 }
 
 /// What had to be resolved to go on from the state of another engine.
@@ -79,6 +82,11 @@ impl State {
             Start::Separated { v0, .. } => (initial_gaps(scene), v0),
             Start::Resting => (vec![0.0; scene.n], 0.0),
         };
+        if let Some(sites) = scene.sites() {
+            let rates = [vec![0.0; scene.n], vec![velocity; scene.n]].concat();
+            // The floor is the first contact of the log; pairs join when they touch.
+            return Self::at_start(scene, sites.shifts(scene), rates, vec![false]);
+        }
         let mut rates = vec![0.0; scene.n];
         let plate = Plate::of(scene);
         // A resting column moves with the plate; a launched one has v₀ in the laboratory.
@@ -86,11 +94,20 @@ impl State {
             rates[0] = velocity - plate.velocity();
         }
         let closed = gaps.iter().map(|&g| g <= 0.0).collect();
-        let mut state = Self {
+        let mut state = Self::at_start(scene, gaps, rates, closed);
+        if scene.start == Start::Resting {
+            state.load_resting_contacts(scene);
+        }
+        state
+    }
+
+    /// The state at t = 0 with these contacts, of which some are closed.
+    fn at_start(scene: &Scene, gaps: Vec<f64>, rates: Vec<f64>, closed: Vec<bool>) -> Self {
+        Self {
             time: 0.0,
             gaps,
             rates,
-            plate,
+            plate: Plate::of(scene),
             books: Books {
                 contacts: ContactLog::new(closed, 0.0, scene.period()),
                 ledger: Ledger::default(),
@@ -100,22 +117,24 @@ impl State {
             },
             ledger_error: 0.0,
             springs: Vec::new(),
-        };
-        if scene.start == Start::Resting {
-            state.load_resting_contacts(scene);
+            bonds: Vec::new(),
         }
-        state
     }
 
     /// The same state under the facts of another scene of as many beads: velocities of
     /// the beads and the plate's place and phase stay, overlaps are made to fit the law.
     pub(crate) fn adopt(&self, scene: &Scene) -> (Self, Handover) {
+        let directions = if scene.sites().is_some() { 2 } else { 1 };
         assert_eq!(
             self.gaps.len(),
-            scene.n,
+            directions * scene.n,
             "a state goes on with the column it is of"
         );
         let mut state = self.clone();
+        if scene.sites().is_some() {
+            // Beads of a plane share their overlaps: none can be changed by itself.
+            return (state, Handover::default());
+        }
         state.plate = self.plate.edited(scene);
         state.rates[0] += self.plate.velocity() - state.plate.velocity();
         state.books.contacts.set_period(scene.period());

@@ -1,11 +1,41 @@
 //! The smallest of many keys, in a tree of matches: O(log n) a change, O(1) a look.
 
+/// A key and whose it is, in one number: the smaller key wins, of equal ones the lower
+/// index, without a branch that nobody could predict.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Player(u128);
+
+impl Player {
+    fn new(key: f64, index: usize) -> Self {
+        // Zero has one sign; the bits of negative numbers fall as the numbers rise.
+        let bits = (key + 0.0).to_bits();
+        let ordered = if bits >> 63 == 0 {
+            bits | 1 << 63
+        } else {
+            !bits
+        };
+        Self(u128::from(ordered) << 64 | index as u128)
+    }
+
+    fn key(self) -> f64 {
+        let ordered = (self.0 >> 64) as u64;
+        f64::from_bits(if ordered >> 63 == 1 {
+            ordered & !(1 << 63)
+        } else {
+            !ordered
+        })
+    }
+
+    fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
 /// Keys by index; the winner is the smallest, of equal ones the lowest index.
 #[derive(Debug, Clone)]
 pub(crate) struct Tournament {
-    keys: Vec<f64>,
-    /// Winner of each match; node 1 is the final, leaves start at `leaves`.
-    winners: Vec<u32>,
+    /// Winner of each match; 1 is the final, and the keys themselves start at `leaves`.
+    nodes: Vec<Player>,
     leaves: usize,
 }
 
@@ -13,70 +43,71 @@ impl Tournament {
     /// `n` keys, all infinite.
     pub fn new(n: usize) -> Self {
         let leaves = n.next_power_of_two();
-        let mut winners = vec![0; 2 * leaves];
-        for (i, winner) in winners[leaves..].iter_mut().enumerate() {
-            *winner = u32::try_from(i).expect("a column has fewer than 2^32 beads");
-        }
+        let player = |i: usize| Player::new(f64::INFINITY, i.saturating_sub(leaves));
         let mut tree = Self {
-            keys: vec![f64::INFINITY; leaves],
-            winners,
+            nodes: (0..2 * leaves).map(player).collect(),
             leaves,
         };
-        for node in (1..leaves).rev() {
-            tree.play(node);
-        }
+        tree.play_all();
         tree
     }
 
-    fn play(&mut self, node: usize) -> bool {
-        let (a, b) = (self.winners[2 * node], self.winners[2 * node + 1]);
-        let winner = if self.keys[b as usize] < self.keys[a as usize] {
-            b
-        } else {
-            a
-        };
-        let changed = self.winners[node] != winner;
-        self.winners[node] = winner;
-        changed
+    fn play(&mut self, node: usize) {
+        self.nodes[node] = self.nodes[2 * node].min(self.nodes[2 * node + 1]);
+    }
+
+    fn play_all(&mut self) {
+        for node in (1..self.leaves).rev() {
+            self.play(node);
+        }
     }
 
     /// Sets key `i`.
     pub fn set(&mut self, i: usize, key: f64) {
-        if self.keys[i] == key {
-            return;
-        }
-        self.keys[i] = key;
-        let i = u32::try_from(i).expect("as in new");
-        let mut node = usize::midpoint(self.leaves, i as usize);
-        while node > 0 {
-            let changed = self.play(node);
-            // Above a match that the new key neither won nor wins, nothing changes.
-            if !changed && self.winners[node] != i {
-                break;
+        self.write(i, key);
+        self.play_again(i, i);
+    }
+
+    /// Sets key `i`, whose matches are to be played by [`Self::play_again`]. That of
+    /// neighbours costs hardly more than that of one: most of their matches are the same.
+    pub fn write(&mut self, i: usize, key: f64) {
+        self.nodes[self.leaves + i] = Player::new(key, i);
+    }
+
+    /// Plays the matches of the keys from `low` to `high` again.
+    pub fn play_again(&mut self, low: usize, high: usize) {
+        let (mut low, mut high) = (self.leaves + low, self.leaves + high);
+        while low < high {
+            (low, high) = (low / 2, high / 2);
+            for node in low..=high {
+                self.play(node);
             }
-            node /= 2;
+        }
+        let mut winner = self.nodes[low];
+        while low > 1 {
+            winner = winner.min(self.nodes[low ^ 1]);
+            low /= 2;
+            self.nodes[low] = winner;
         }
     }
 
     /// Key `i`.
     pub fn get(&self, i: usize) -> f64 {
-        self.keys[i]
+        self.nodes[self.leaves + i].key()
     }
 
     /// The winner and its key.
     pub fn first(&self) -> (usize, f64) {
-        let winner = self.winners[1] as usize;
-        (winner, self.keys[winner])
+        (self.nodes[1].index(), self.nodes[1].key())
     }
 
-    /// Subtracts `shift` from every key, which keeps all winners.
+    /// Subtracts `shift` from every key, which keeps all winners but of keys that become
+    /// equal.
     pub fn shift(&mut self, shift: f64) {
-        for key in &mut self.keys {
-            *key -= shift;
+        for player in &mut self.nodes[self.leaves..] {
+            *player = Player::new(player.key() - shift, player.index());
         }
-        for node in (1..self.leaves).rev() {
-            self.play(node);
-        }
+        self.play_all();
     }
 }
 
@@ -100,11 +131,16 @@ mod tests {
                 } else {
                     ((random >> 20) % 50) as f64
                 };
-                keys[i] = key;
-                tree.set(i, key);
+                // One key, or two neighbours at once.
+                let j = (i + usize::from(random.is_multiple_of(3))).min(n - 1);
+                for k in i..=j {
+                    keys[k] = key;
+                    tree.write(k, key);
+                }
+                tree.play_again(i, j);
                 let least = keys.iter().copied().fold(f64::INFINITY, f64::min);
                 let (winner, found) = tree.first();
-                assert!(found == least && keys.get(winner).is_none_or(|&k| k == least));
+                assert!(found == least && keys.iter().position(|&k| k == least) == Some(winner));
             }
         }
     }

@@ -48,7 +48,7 @@ pub fn initial_gaps(facts: &Facts) -> Vec<f64> {
 }
 
 /// Uniform numbers in [0, 1), the same on every machine.
-fn uniform(seed: u64, stream: u64) -> impl Iterator<Item = f64> {
+pub(super) fn uniform(seed: u64, stream: u64) -> impl Iterator<Item = f64> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     rng.set_stream(stream);
     let spacing = 0.5_f64.powi(53);

@@ -10,6 +10,9 @@ const WIDEST: f64 = 1.97;
 /// energy, leaves the range of numbers before a column has spent it.
 const SLOWEST: f64 = 1e-60;
 
+/// Beads of a lattice, as of a column.
+const MOST_BEADS: usize = 1_000_000;
+
 /// Shortest and longest contact, s, of a pair under a power law.
 const CONTACT_TIMES: (f64, f64) = (1e-12, 1e3);
 
@@ -31,6 +34,7 @@ impl Scene {
         check_frame(&facts)?;
         check_duration(&facts)?;
         check_width(&facts)?;
+        check_lattice(&facts)?;
         check_restitution(&facts)?;
         check_solver(&facts)?;
         if let Method::Md {
@@ -130,6 +134,9 @@ fn check_duration(facts: &Facts) -> Result<(), SceneError> {
 
 /// Checks what does not depend on any number: what needs gravity has it.
 pub(in crate::scene) fn check_frame(facts: &Facts) -> Result<(), SceneError> {
+    if facts.sites().is_some() {
+        check_lattice_frame(facts)?;
+    }
     if facts.gravity.is_some() {
         return Ok(());
     }
@@ -140,6 +147,51 @@ pub(in crate::scene) fn check_frame(facts: &Facts) -> Result<(), SceneError> {
     if facts.start == Start::Resting {
         let reason = "needs gravity, which holds the column on the floor";
         return Err(inconsistent("start", Value::Choice("resting"), reason));
+    }
+    Ok(())
+}
+
+/// A lattice is thrown at a fixed floor, by soft contacts on a grid of time steps.
+fn check_lattice_frame(facts: &Facts) -> Result<(), SceneError> {
+    if !matches!(
+        facts.method,
+        Method::Md {
+            solver: Solver::Grid { .. },
+            ..
+        }
+    ) {
+        let name = facts.method.name().as_str();
+        let reason = "a lattice takes gear or verlet, soft contacts on a grid of time steps";
+        return Err(inconsistent("method", Value::Choice(name), reason));
+    }
+    if matches!(facts.floor, Floor::Vibrating { .. }) {
+        let reason = "a lattice has a fixed floor and no gravity";
+        return Err(inconsistent("floor", Value::Choice("vibrating"), reason));
+    }
+    if let Some(gravity) = facts.gravity {
+        let reason = "a lattice has no gravity; columns may have it";
+        return Err(inconsistent("gravity", Value::Number(gravity), reason));
+    }
+    Ok(())
+}
+
+/// Refuses lattices of too many beads, or of unequal ones.
+fn check_lattice(facts: &Facts) -> Result<(), SceneError> {
+    let Some(sites) = facts.sites() else {
+        return Ok(());
+    };
+    if facts.width != 0.0 {
+        let reason = "a lattice has beads of equal size; columns may have others";
+        return Err(inconsistent("width", Value::Number(facts.width), reason));
+    }
+    let (columns, rows) = (sites.columns, Value::Whole(sites.rows as u64));
+    if sites.count() != facts.n {
+        let reason = format!("of {columns} beads do not make {} beads", facts.n);
+        return Err(inconsistent("rows", rows, reason));
+    }
+    if facts.n > MOST_BEADS {
+        let reason = format!("times the {columns} beads of a row must be at most {MOST_BEADS}");
+        return Err(inconsistent("rows", rows, reason));
     }
     Ok(())
 }
@@ -175,6 +227,7 @@ fn inconsistent(name: &'static str, value: Value, reason: impl Into<String>) -> 
 #[cfg(test)]
 pub(in crate::scene) fn example() -> Facts {
     Facts {
+        arrangement: super::Arrangement::Column,
         n: 10,
         diameter: 1e-3,
         width: 0.0,

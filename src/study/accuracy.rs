@@ -44,6 +44,9 @@ pub enum AccuracyError {
     /// The scene cannot be compared.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// Nothing exact to compare with.
+    #[error("a lattice has no exact run to compare other methods with; columns have")]
+    Lattice,
     /// The reference run failed.
     #[error("the reference run failed: {0}")]
     Reference(#[from] RunError),
@@ -67,6 +70,9 @@ pub enum AccuracyError {
 /// When there is nothing to compare with: the scene has no soft contacts, or the
 /// reference run fails.
 pub fn accuracy(scene: &Scene, effort: Effort, tell: &mut Tell) -> Result<Report, AccuracyError> {
+    if scene.sites().is_some() {
+        return Err(AccuracyError::Lattice);
+    }
     let mut reference = scene.with_method(MethodName::Exact)?;
     // Power laws: an adaptive method, at a tolerance below all that it is asked for.
     if let Ok(tight) = vary(&reference, None, &[("tolerance", Value::Number(TIGHTEST))]) {

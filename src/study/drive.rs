@@ -151,6 +151,11 @@ impl<'a> Drive<'a> {
         Ok(false)
     }
 
+    /// The engine, to go on with it later.
+    pub fn into_engine(self) -> Box<dyn Engine> {
+        self.engine
+    }
+
     /// Whether the floor collision is over.
     pub fn is_over(&self) -> bool {
         self.engine.is_over()
@@ -171,6 +176,8 @@ impl<'a> Drive<'a> {
 pub fn natural_time(scene: &Scene) -> f64 {
     let contact = scene.contact_time().unwrap_or(0.0);
     match scene.start {
+        // Rows that just touch go on doing so: a lattice is stepped to the end of a look.
+        Start::Separated { s0, v0, .. } if scene.sites().is_some() => contact.max(s0 / v0.abs()),
         Start::Separated { s0, v0, .. } if v0 != 0.0 => {
             contact.max(s0.max(1e-3 * scene.diameter) / v0.abs())
         }

@@ -149,7 +149,7 @@ fn mean_height(
 }
 
 /// Height of the centre of mass of the column that rests, just touching, on z = 0, m.
-fn stacking_height(scene: &Scene) -> f64 {
+pub(super) fn stacking_height(scene: &Scene) -> f64 {
     let (mut top, mut mass, mut moment) = (0.0, 0.0, 0.0);
     for d in diameters(scene) {
         // Relative to the mean bead, so that no diameter is too small.

@@ -139,31 +139,22 @@ pub enum Fault {
     Errs,
 }
 
-/// A real engine that misbehaves from `at` on.
-pub struct Faulty {
-    engine: Box<dyn Engine>,
-    fault: Fault,
-    at: f64,
+/// What stands in for a real engine's advance to a time; None: the real one.
+pub type StandIn = Box<dyn FnMut(f64) -> Option<Result<Outcome, EngineError>> + Send>;
+
+/// A real engine, but for its advance.
+pub struct Behind {
+    pub engine: Box<dyn Engine>,
+    pub advance: StandIn,
 }
 
-impl Engine for Faulty {
+impl Engine for Behind {
     fn time(&self) -> f64 {
         self.engine.time()
     }
 
     fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
-        if until >= self.at {
-            match self.fault {
-                Fault::Panics => panic!("a bead escaped"),
-                Fault::Errs => {
-                    return Err(EngineError::Unstable {
-                        time: until,
-                        steps_per_contact: 2.0,
-                    });
-                }
-            }
-        }
-        self.engine.advance(until, budget)
+        (self.advance)(until).unwrap_or_else(|| self.engine.advance(until, budget))
     }
 
     fn is_over(&self) -> bool {
@@ -185,14 +176,22 @@ impl Engine for Faulty {
 
 /// Builds real engines, but soft-contact ones misbehave from `at` on.
 pub fn faulty(fault: Fault, at: f64) -> Build {
+    let misbehave = move |until: f64| match fault {
+        _ if until < at => None,
+        Fault::Panics => panic!("a bead escaped"),
+        Fault::Errs => Some(Err(EngineError::Unstable {
+            time: until,
+            steps_per_contact: 2.0,
+        })),
+    };
     Box::new(
         move |scene: &Scene, from: Option<&State>| -> (Box<dyn Engine>, Handover) {
             let (engine, handover) = physics::build(scene, from);
-            if scene.is_md() {
-                (Box::new(Faulty { engine, fault, at }), handover)
-            } else {
-                (engine, handover)
+            if !scene.is_md() {
+                return (engine, handover);
             }
+            let advance = Box::new(misbehave);
+            (Box::new(Behind { engine, advance }), handover)
         },
     )
 }

@@ -3,8 +3,8 @@
 
 use beadlab::physics::{Engine, Observation, Outcome, build};
 use beadlab::scene::{
-    CollisionRule, Facts, Floor, FloorContact, Integrator, Law, Method, Scene, Solver, Start,
-    angular,
+    Arrangement, CollisionRule, Facts, Floor, FloorContact, Integrator, Law, Method, Scene, Solver,
+    Start, angular,
 };
 
 /// g of all presets, m/s².
@@ -13,6 +13,7 @@ pub const G: f64 = 9.81;
 /// The floor collision of Fig. 1: N = 10, ε = 0.9, v₀ = −0.2 m/s, no gravity.
 pub fn fig1(method: Method, s0: f64) -> Facts {
     Facts {
+        arrangement: Arrangement::Column,
         n: 10,
         diameter: 1e-3,
         width: 0.0,

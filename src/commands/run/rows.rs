@@ -3,7 +3,7 @@
 use super::report::{Cell, Report, Row};
 use crate::commands::{Failure, note};
 use crate::physics;
-use crate::scene::{Law, Preset, Scene, Start};
+use crate::scene::{Arrangement, Law, Preset, Scene, Start};
 use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch};
 use std::time::Instant;
 
@@ -61,6 +61,7 @@ fn patterns(scene: &Scene, results: &Results, asked: bool) -> usize {
 fn rows(preset: &Preset, results: &Results, sensitivity: &Sensitivity, wall_time: f64) -> Vec<Row> {
     let sim_time = results.sim_time;
     let mut rows = of_the_scene(preset);
+    rows.extend(of_the_lattice(&preset.scene));
     rows.extend(of_the_run(&preset.scene, results, sensitivity));
     rows.push(Row::new(
         "sim_time",
@@ -173,6 +174,25 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
 /// What is known of a floor collision's energies at most: it counts as over when no more
 /// than this part of them can still change.
 const AT_THE_END: f64 = 1e-12;
+
+/// What only a lattice has.
+fn of_the_lattice(scene: &Scene) -> Vec<Row> {
+    let (Arrangement::Lattice { tangential, .. }, Some(sites)) = (scene.arrangement, scene.sites())
+    else {
+        return Vec::new();
+    };
+    let count = |k: usize| Some(Cell::Count(k as u64));
+    vec![
+        Row::new("rows", count(sites.rows), "", "of the lattice"),
+        Row::new("columns", count(sites.columns), "", "beads in a row"),
+        Row::new(
+            "tangential_damping",
+            Some(Cell::Number(tangential)),
+            "1/s",
+            "D_t, across contacts",
+        ),
+    ]
+}
 
 fn of_the_run(scene: &Scene, results: &Results, known: &Sensitivity) -> Vec<Row> {
     let soft = scene.is_md();

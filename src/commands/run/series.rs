@@ -89,7 +89,7 @@ fn rows(
     let mut now = Observation::default();
     let mut flushed = Instant::now();
     let mut row = 0.0;
-    writer.write_record(header(scene.n))?;
+    writer.write_record(header(scene))?;
     loop {
         drive.observe(&mut now);
         writer.serialize(cells(scene, &now)?)?;
@@ -113,8 +113,11 @@ fn rows(
     Ok(writer.flush()?)
 }
 
-fn header(n: usize) -> Vec<String> {
-    let beads = (1..=n).map(|bead| format!("z{bead}"));
+/// Names of the columns; a lattice also has the places of its beads across.
+fn header(scene: &Scene) -> Vec<String> {
+    let each = |name: &'static str, n: usize| (1..=n).map(move |bead| format!("{name}{bead}"));
+    let across = if scene.sites().is_some() { scene.n } else { 0 };
+    let beads = each("x", across).chain(each("z", scene.n));
     let head = ["time", "floor"].map(String::from);
     let tail = ["kinetic", "relative", "sigma"].map(String::from);
     head.into_iter().chain(beads).chain(tail).collect()
@@ -130,6 +133,7 @@ fn cells(scene: &Scene, now: &Observation) -> Result<Vec<Option<f64>>, Failure> 
     let tail = [now.energy.kinetic, now.energy.relative];
     let cells: Vec<_> = head
         .iter()
+        .chain(now.discs.iter().flat_map(|discs| &discs.x))
         .chain(&now.reduced)
         .chain(&tail)
         // −0 is a sign that means nothing.

@@ -36,9 +36,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             self.settle_on_floor(high, t);
         }
         self.note(low, high, t);
-        for j in low.saturating_sub(1)..=(high + 1).min(self.gaps.len() - 1) {
-            self.schedule(j);
-        }
+        self.schedule(low.saturating_sub(1), (high + 1).min(self.gaps.len() - 1));
         if low == 0 {
             self.schedule_take_off();
         }
@@ -76,21 +74,25 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             return;
         }
         for j in low..=high {
-            self.approach.set(j, self.gaps[j].w);
+            self.approach.write(j, self.gaps[j].w);
         }
+        self.approach.play_again(low, high);
         for _ in 0..self.most_collisions(high - low + 1) {
             let (j, w) = self.approach.first();
             if w >= -self.threshold {
                 break;
             }
             self.collide(j, t);
-            for k in j.saturating_sub(1).max(low)..=(j + 1).min(high) {
-                self.approach.set(k, self.gaps[k].w);
+            let (first, last) = (j.saturating_sub(1).max(low), (j + 1).min(high));
+            for k in first..=last {
+                self.approach.write(k, self.gaps[k].w);
             }
+            self.approach.play_again(first, last);
         }
         for j in low..=high {
-            self.approach.set(j, f64::INFINITY);
+            self.approach.write(j, f64::INFINITY);
         }
+        self.approach.play_again(low, high);
     }
 
     /// Collisions of a cascade of `k` gaps after which what is left of it is taken as

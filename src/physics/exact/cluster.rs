@@ -21,6 +21,8 @@ pub(super) enum Plan {
     },
     /// One contact, just closed, whose beads meet alone until it opens.
     Encounter(usize),
+    /// Bead 1 alone on the floor under gravity, its contact just closed, until it opens.
+    Landing,
     /// A stack at rest on the floor, in which nothing can open before the plan ends.
     Rest,
 }
@@ -45,7 +47,7 @@ impl<G: Ground> Exact<G> {
         }
         let mut start = low;
         for i in low..high {
-            self.queue.set(i, f64::INFINITY);
+            self.queue.write(i, f64::INFINITY);
             self.first[i] = start;
             if i + 1 == high || !self.coupled(i) {
                 self.end[start] = i + 1;
@@ -53,8 +55,10 @@ impl<G: Ground> Exact<G> {
                 start = i + 1;
             }
         }
+        self.queue.play_again(low, high - 1);
     }
 
+    /// Plans one cluster, whose matches in the queue are left to play.
     fn plan(&mut self, low: usize, high: usize) {
         let Gap { g, w, t } = self.gaps[low];
         let until = if high == low + 1 && self.modes[low] == Mode::Open {
@@ -67,13 +71,16 @@ impl<G: Ground> Exact<G> {
         } else if let Some((i, lasts)) = self.plan_encounter(low, high) {
             self.plans[low] = Plan::Encounter(i);
             t + lasts
+        } else if let Some(lasts) = self.plan_landing(low, high) {
+            self.plans[low] = Plan::Landing;
+            t + lasts
         } else if let Some(until) = self.plan_rest(low, high) {
             self.plans[low] = Plan::Rest;
             until
         } else {
             self.plan_series(low, high)
         };
-        self.queue.set(low, until);
+        self.queue.write(low, until);
     }
 
     /// 1/m of the beads below (0: the floor) and above gap `i`.

@@ -13,17 +13,17 @@ use crate::physics::power_law::Spring;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Encounter {
     /// Reduced mass, in mean bead masses.
-    reduced: f64,
+    pub reduced: f64,
     /// K, 1/s².
-    stiffness: f64,
+    pub stiffness: f64,
     /// μ, 1/s.
-    mu: f64,
+    pub mu: f64,
     /// ω, 1/s.
-    omega: f64,
+    pub omega: f64,
     /// π/ω, s.
     pub lasts: f64,
     /// exp(−μπ/ω).
-    restitution: f64,
+    pub restitution: f64,
 }
 
 impl Encounter {
@@ -146,7 +146,7 @@ impl<G: Ground> Exact<G> {
 
     /// Time since the plan of the cluster at `low` began, s; all of it, to the last bit,
     /// at its end, whose time is rounded.
-    fn since(&self, low: usize, t: f64, lasts: f64) -> f64 {
+    pub(super) fn since(&self, low: usize, t: f64, lasts: f64) -> f64 {
         if t >= self.queue.get(low) {
             lasts
         } else {

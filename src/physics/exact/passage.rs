@@ -19,6 +19,7 @@ impl<G: Ground> Exact<G> {
             Plan::Flight => Some((low, Mode::Pushing)),
             Plan::Series { change, .. } => change,
             Plan::Encounter(i) => Some((i, Mode::Open)),
+            Plan::Landing => Some((0, Mode::Open)),
             Plan::Rest => None,
         };
         self.bring(low, t);
@@ -72,6 +73,7 @@ impl<G: Ground> Exact<G> {
                 self.series(low, h).evaluate(s, gaps, rates);
             }
             Plan::Encounter(i) => self.at_encounter(low, i, t, gaps, rates),
+            Plan::Landing => self.at_landing(t, gaps, rates),
             Plan::Rest => self.at_rest(t, gaps, rates),
         }
     }
@@ -83,6 +85,7 @@ impl<G: Ground> Exact<G> {
             Plan::Flight => return,
             Plan::Series { h, reach, .. } => (h, reach),
             Plan::Encounter(i) => return self.account_encounter(low, i, t, ledger),
+            Plan::Landing => return self.account_landing(t, ledger),
             Plan::Rest => return self.account_rest(t, ledger),
         };
         let series = self.series(low, h);

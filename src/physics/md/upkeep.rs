@@ -12,7 +12,7 @@ pub(super) const HOUSEKEEPING: u64 = 32;
 /// Steps between two looks at the energy.
 const INSPECTION: u64 = 1024;
 /// Steps that a time can count, 2^53.
-pub(super) const MOST_STEPS: f64 = 9_007_199_254_740_992.0;
+pub(in crate::physics) const MOST_STEPS: f64 = 9_007_199_254_740_992.0;
 
 impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> {
     /// Looks which contacts began or ended in the last step.

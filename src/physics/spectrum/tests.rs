@@ -8,6 +8,7 @@ const CONTACT_TIME: f64 = 1e-5;
 
 fn scene(n: usize, restitution: f64, width: f64, integrator: Integrator, steps: f64) -> Scene {
     Scene::new(Facts {
+        arrangement: Arrangement::Column,
         n,
         diameter: 1e-3,
         width,
@@ -169,4 +170,31 @@ fn only_coarse_grids_are_warned_of() {
     let exact =
         scene(10, 0.6, 0.0, Integrator::Gear, 2.0).with_method(crate::scene::MethodName::Exact);
     assert_eq!(too_few_steps(&exact.expect("a scene")), None);
+}
+
+#[test]
+fn the_stiffest_wave_of_a_triangular_lattice() {
+    // |D(k)| = Σ 2K (1 − cos k·R) n nᵀ over the three directions of bonds, K = 1: the
+    // largest eigenvalue over all wave vectors is 6.
+    let directions = [0.0, PI / 3.0, 2.0 * PI / 3.0].map(|angle: f64| angle.sin_cos());
+    let largest = |kx: f64, ky: f64| {
+        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+        for (y, x) in directions {
+            let weight = 2.0 * (1.0 - (kx * x + ky * y).cos());
+            (xx, xy, yy) = (
+                xx + weight * x * x,
+                xy + weight * x * y,
+                yy + weight * y * y,
+            );
+        }
+        0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()
+    };
+    let grid = || (0..=120).map(|k| f64::from(k) * 2.0 * PI / 120.0);
+    let most = grid()
+        .flat_map(|kx| grid().map(move |ky| largest(kx, ky * 2.0 / 3f64.sqrt())))
+        .fold(0.0, f64::max);
+    assert!((most - 6.0).abs() < 1e-12, "{most}");
+    let springs = [Spring::linear(1.0, 0.5), Spring::linear(1.0, 0.5)];
+    let mode = lattice_mode(&springs, 0.25);
+    assert_eq!((mode.stiffness, mode.damping), (6.0, 4.5));
 }

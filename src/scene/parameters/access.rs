@@ -3,7 +3,8 @@
 use super::Value;
 use super::rows::TC;
 use crate::scene::{
-    CollisionRule, Exponents, Facts, Floor, Law, Method, PowerLaw, Solver, Start, angular,
+    Arrangement, CollisionRule, Exponents, Facts, Floor, Law, Method, PowerLaw, Solver, Start,
+    angular,
 };
 
 // The table hands over values of the row's own kind only.
@@ -37,6 +38,22 @@ pub(super) fn separated(facts: &Facts) -> Option<(f64, f64, bool)> {
     match facts.start {
         Start::Separated { s0, jitter, v0 } => Some((s0, v0, jitter)),
         Start::Resting => None,
+    }
+}
+
+/// Beads in a row of a lattice.
+pub(super) fn columns(facts: &Facts) -> Option<usize> {
+    match facts.arrangement {
+        Arrangement::Lattice { columns, .. } => Some(columns),
+        Arrangement::Column => None,
+    }
+}
+
+/// D_t of a lattice.
+pub(super) fn tangential(facts: &Facts) -> Option<f64> {
+    match facts.arrangement {
+        Arrangement::Lattice { tangential, .. } => Some(tangential),
+        Arrangement::Column => None,
     }
 }
 

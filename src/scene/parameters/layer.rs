@@ -78,7 +78,7 @@ pub fn complete(facts: &Facts) -> Result<(), SceneError> {
     {
         let missing = match (parameter.get)(facts) {
             Some(Value::Number(x)) => x.is_nan(),
-            Some(Value::Whole(k)) => parameter.name == "n" && k == 0,
+            Some(Value::Whole(k)) => matches!(parameter.name, "n" | "rows") && k == 0,
             _ => false,
         };
         if missing {

@@ -1,6 +1,7 @@
 //! The rows of the table.
 
 mod contact;
+mod lattice;
 
 use super::access::{
     choice, flag, number, plate, separated, set_alpha, set_amplitude, set_frequency, set_rule,
@@ -61,26 +62,9 @@ const ROW: Parameter = Parameter {
 };
 
 pub(super) static ROWS: &[Parameter] = &[
-    Parameter {
-        name: "n",
-        symbol: "N",
-        symbol_ascii: "N",
-        help: "number of beads",
-        kind: Kind::Whole {
-            min: 1,
-            max: 1_000_000,
-            fine: 1,
-            coarse: 10,
-        },
-        live: false,
-        get: |facts| Some(Value::Whole(facts.n as u64)),
-        set: |facts, value| {
-            whole(value, |n| {
-                facts.n = usize::try_from(n).unwrap_or(usize::MAX);
-            });
-        },
-        ..ROW
-    },
+    lattice::COUNT,
+    lattice::ROWS,
+    lattice::COLUMNS,
     contact::RESTITUTION,
     contact::CONTACT_TIME,
     contact::LAW,
@@ -277,6 +261,7 @@ pub(super) static ROWS: &[Parameter] = &[
         set: |facts, value| whole(value, |k| facts.seed = k),
         ..ROW
     },
+    lattice::TANGENTIAL_DAMPING,
     contact::FLOOR_CONTACT,
     contact::ATTRACTION,
     Parameter {

@@ -1,6 +1,6 @@
 use super::*;
 use crate::scene::validate::example;
-use crate::scene::{Floor, MethodName, Scene, Start};
+use crate::scene::{Arrangement, Floor, MethodName, Scene, Start};
 
 fn example_scene() -> Scene {
     Scene::new(example()).expect("the example is a scene")
@@ -19,6 +19,19 @@ fn shaken() -> Scene {
         ..example()
     })
     .expect("a column on a plate is a scene")
+}
+
+/// Ten rows of thirteen beads.
+fn lattice() -> Scene {
+    Scene::new(Facts {
+        arrangement: Arrangement::Lattice {
+            columns: 13,
+            tangential: 0.0,
+        },
+        n: 130,
+        ..example()
+    })
+    .expect("whole rows are a lattice")
 }
 
 fn settings(pairs: &[(&str, &str)]) -> Vec<Setting> {
@@ -55,7 +68,7 @@ fn every_row_gets_what_it_sets() {
         &[("law", "power"), ("beta", "0.5"), ("gamma", "0.5")],
     )
     .expect("a power law");
-    let scenes = [example_scene(), shaken(), timed, power];
+    let scenes = [example_scene(), shaken(), timed, power, lattice()];
     for parameter in table() {
         let scene = scenes
             .iter()
@@ -427,4 +440,43 @@ fn key_presses_move_by_steps_and_stop_at_the_ends() {
         Value::Choice("same-restitution")
     );
     assert_eq!(nudge(floor, word, -2, false), word);
+}
+
+#[test]
+fn rows_and_columns_make_the_beads_in_any_order() {
+    for pairs in [
+        [("rows", "7"), ("columns", "5")],
+        [("columns", "5"), ("rows", "7")],
+    ] {
+        let scene = layered(&lattice(), &pairs).expect("a lattice");
+        assert_eq!((scene.n, scene.layers()), (35, 7));
+    }
+    let refused = |facts| Scene::new(facts).expect_err("no lattice");
+    let whole = lattice().facts().clone();
+    for (facts, name) in [
+        (
+            Facts {
+                n: 131,
+                ..whole.clone()
+            },
+            "rows",
+        ),
+        (
+            Facts {
+                width: 1e-4,
+                ..whole.clone()
+            },
+            "width",
+        ),
+        (
+            Facts {
+                gravity: Some(9.81),
+                duration: Some(1.0),
+                ..whole
+            },
+            "gravity",
+        ),
+    ] {
+        assert_eq!(refused(facts).parameter(), name);
+    }
 }

@@ -24,6 +24,7 @@ static PRESETS: &[(&str, &str)] = presets![
     "fig7-ed",
     "steel",
     "aluminium",
+    "fig4",
     "fig3-hooke",
     "fig3-hertz",
     "fig3-hkk",

@@ -7,7 +7,8 @@ use crate::scene::parameters::{self, Kind, Parameter, Setting, Value};
 use crate::scene::validate::check_frame;
 use crate::scene::words::{did_you_mean, one_line, quote};
 use crate::scene::{
-    Facts, Floor, FloorContact, Law, Method, MethodName, Scene, SceneError, Solver, Start,
+    Arrangement, Facts, Floor, FloorContact, Law, Method, MethodName, Scene, SceneError, Solver,
+    Start,
 };
 use toml::de::DeValue;
 
@@ -20,13 +21,17 @@ const TEXTS: [(&str, usize); 4] = [
 ];
 
 /// The words that decide which parameters a scene has.
-const FRAME: [(&str, &[&str]); 3] = [
+const FRAME: [(&str, &[&str]); 4] = [
+    ("arrangement", &["column", "lattice"]),
     ("method", &["gear", "verlet", "exact", "ed"]),
     ("start", &["separated", "resting"]),
     ("floor", &["fixed", "vibrating"]),
 ];
 
 const BESIDE: &str = "beside";
+
+/// Beads in a row of a lattice, as in the paper.
+const COLUMNS: usize = 13;
 
 /// A run with gravity has no end of its own.
 const DEFAULT_DURATION: f64 = 1.0;
@@ -159,7 +164,15 @@ fn frame(entries: &Entries) -> Result<Facts, PresetError> {
     let method = word(entries, "method")?.ok_or_else(|| missing(entries, "method"))?;
     let start = word(entries, "start")?.ok_or_else(|| missing(entries, "start"))?;
     let floor = word(entries, "floor")?.unwrap_or("fixed");
+    let arrangement = word(entries, "arrangement")?.unwrap_or("column");
     let facts = Facts {
+        arrangement: match arrangement {
+            "lattice" => Arrangement::Lattice {
+                columns: COLUMNS,
+                tangential: 0.0,
+            },
+            _ => Arrangement::Column,
+        },
         n: 0,
         diameter: f64::NAN,
         width: 0.0,

@@ -6,7 +6,8 @@ mod tables;
 use super::{AccuracyError, Candidate, Effort, Report, candidates};
 use crate::physics::Observation;
 use crate::scene::{MethodName, Scene};
-use crate::study::fit::{slope, standard_error};
+use crate::study::fit::slope;
+use crate::study::means::Means;
 use crate::study::{Drive, RunError, Tell, one_ulp_off};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -38,21 +39,13 @@ const TOLERANCES: [f64; 2] = [1e-4, 1e-6];
 /// Steps of the ladder that are worth their time here.
 const STEPS: [f64; 3] = [50.0, 100.0, 200.0];
 
-/// Means over one period.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Block {
-    height: f64,
-    relative: f64,
-    kinetic: f64,
-}
-
 /// A run, looked at in equal intervals.
 #[derive(Default)]
 struct Run {
     /// Heights of all beads at each look, as long as they are kept.
     path: Vec<f64>,
-    /// Complete periods after the settling.
-    blocks: Vec<Block>,
+    /// Of the periods after the settling.
+    means: Means,
     steps: u64,
     events: u64,
     seconds: f64,
@@ -81,13 +74,6 @@ struct Growth {
     rate: Option<f64>,
     /// When it exceeds [`PARTED`] diameters, s.
     parted: Option<f64>,
-}
-
-/// A mean and its standard error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Mean {
-    value: f64,
-    error: Option<f64>,
 }
 
 /// A run of the report.
@@ -210,12 +196,7 @@ fn follow(drive: &mut Drive, n: usize, looks: Looks, run: &mut Run) -> Result<()
     let mut seen = Observation::default();
     let interval = looks.period / LOOKS as f64;
     let mut look = 0.0;
-    let mut block = Block {
-        height: 0.0,
-        relative: 0.0,
-        kinetic: 0.0,
-    };
-    let mut in_block = 0;
+    run.means = Means::new(LOOKS);
     while (look + 1.0) * interval <= looks.duration * (1.0 + 1e-12) {
         look += 1.0;
         let time = look * interval;
@@ -228,15 +209,7 @@ fn follow(drive: &mut Drive, n: usize, looks: Looks, run: &mut Run) -> Result<()
                 .extend(seen.reduced.iter().zip(&seen.velocities).map(place));
         }
         if time > SETTLING * looks.duration {
-            block.height += seen.centre / LOOKS as f64;
-            block.relative += seen.energy.relative / LOOKS as f64;
-            block.kinetic += seen.energy.kinetic / LOOKS as f64;
-            in_block += 1;
-        }
-        if in_block == LOOKS {
-            run.blocks.push(block);
-            in_block = 0;
-            (block.height, block.relative, block.kinetic) = (0.0, 0.0, 0.0);
+            run.means.look(&seen);
         }
     }
     (run.steps, run.events, run.end) = (seen.steps, seen.events, drive.time());
@@ -295,50 +268,5 @@ fn growth(distances: &[f64], window: f64, diameter: f64) -> Growth {
             .then(|| slope(&points))
             .flatten(),
         parted: end.map(|k| (k + 1) as f64 * window),
-    }
-}
-
-impl Run {
-    /// Mean of the centre's height over the resting column's, m.
-    fn height(&self) -> Option<Mean> {
-        self.mean(|block| block.height)
-    }
-
-    /// Mean E_r over mean E: a ratio of means, since E passes through 0.
-    fn share(&self) -> Option<Mean> {
-        let (relative, kinetic) = (self.mean(|b| b.relative)?, self.mean(|b| b.kinetic)?);
-        if kinetic.value <= 0.0 {
-            return None;
-        }
-        let value = relative.value / kinetic.value;
-        if value < f64::EPSILON {
-            // A single bead, or a cluster whose differences are rounding.
-            return Some(Mean {
-                value: 0.0,
-                error: None,
-            });
-        }
-        // What each period adds to the ratio's deviation.
-        let deviations = self.mean(|b| (b.relative - value * b.kinetic) / kinetic.value)?;
-        Some(Mean {
-            value,
-            error: deviations.error,
-        })
-    }
-
-    fn mean(&self, of: impl Fn(&Block) -> f64) -> Option<Mean> {
-        let values: Vec<f64> = self.blocks.iter().map(of).collect();
-        (!values.is_empty()).then(|| Mean {
-            value: values.iter().sum::<f64>() / values.len() as f64,
-            error: standard_error(&values),
-        })
-    }
-}
-
-impl Mean {
-    /// Distance from another in units of both standard errors together.
-    fn in_errors_from(self, other: Self) -> Option<f64> {
-        let both = self.error?.hypot(other.error?);
-        (both > 0.0).then(|| (self.value - other.value).abs() / both)
     }
 }

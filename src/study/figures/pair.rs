@@ -3,7 +3,7 @@
 use super::FigureError;
 use super::runs::{looks, results};
 use crate::scene::{
-    Exponents, Facts, Floor, FloorContact, Law, Method, PowerLaw, Scene, Solver, Start,
+    Arrangement, Exponents, Facts, Floor, FloorContact, Law, Method, PowerLaw, Scene, Solver, Start,
 };
 
 /// Tolerance of the adaptive method.
@@ -47,6 +47,7 @@ pub(super) fn law(
 /// of a pair obeys the same equation, Eq. (8).
 fn scene(law: PowerLaw, speed: f64) -> Result<Scene, FigureError> {
     Ok(Scene::new(Facts {
+        arrangement: Arrangement::Column,
         n: 1,
         diameter: 1e-3,
         width: 0.0,

@@ -201,7 +201,8 @@ impl Bench {
         Some(self.put(original))
     }
 
-    /// The next method for the left column: Gear, Verlet, exact, ED, and so on round.
+    /// The next method for the left column: Gear, Verlet, exact, ED, and so on round; of a
+    /// lattice the first two.
     ///
     /// # Errors
     /// When the scene cannot have any other method, in a sentence.
@@ -209,6 +210,8 @@ impl Bench {
         let scene = &self.scenes[0];
         let next = match scene.method.name() {
             MethodName::Gear => scene.with_method(MethodName::Verlet),
+            // A lattice has no more methods than these two.
+            MethodName::Verlet if scene.sites().is_some() => scene.with_method(MethodName::Gear),
             MethodName::Verlet => scene.with_method(MethodName::Exact),
             MethodName::Exact => {
                 Self::with(scene, self.hard).unwrap_or_else(|| scene.with_method(MethodName::Ed))

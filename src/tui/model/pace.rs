@@ -105,7 +105,7 @@ fn periods(cells: u16) -> f64 {
 /// A column that falls on a floor: a few times the longest flight.
 fn bounces(scene: &Scene, gravity: f64) -> f64 {
     let (s0, v0) = separated(scene);
-    let height = (s0 * scene.n as f64).max(0.0) + v0 * v0 / (2.0 * gravity);
+    let height = (s0 * scene.layers() as f64).max(0.0) + v0 * v0 / (2.0 * gravity);
     let flight = (2.0 * height / gravity).sqrt();
     if flight > 0.0 { 6.0 * flight } else { 0.5 }
 }
@@ -115,7 +115,7 @@ fn bounces(scene: &Scene, gravity: f64) -> f64 {
 fn collision(scenes: &[Scene]) -> f64 {
     let duration = |scene: &Scene, contact_time: f64| {
         let (s0, v0) = separated(scene);
-        let beads = scene.n as f64;
+        let beads = scene.layers() as f64;
         let arrival = if v0 < 0.0 { beads * s0 / -v0 } else { 0.0 };
         4.0 * arrival + 2.5 * (beads + 1.0) * contact_time
     };

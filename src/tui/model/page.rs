@@ -108,7 +108,7 @@ fn expected(scenes: &[Scene]) -> Scale {
         if let Start::Separated { s0, v0, .. } = scene.start {
             let overlap = v0.abs() * scene.contact_time().unwrap_or(0.0);
             bottom = bottom.min(-2.0 * overlap);
-            top = top.max(s0 * scene.n as f64).max(4.0 * overlap);
+            top = top.max(s0 * scene.layers() as f64).max(4.0 * overlap);
         }
     }
     if top <= bottom {

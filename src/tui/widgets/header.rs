@@ -11,8 +11,9 @@ use crate::tui::model::{Model, speed_text};
 use crate::tui::numbers;
 
 /// What tells one scene from another, the most important first.
-const FACTS: [&str; 8] = [
+const FACTS: [&str; 9] = [
     "n",
+    "rows",
     "law",
     "restitution",
     "contact_time",

@@ -24,6 +24,8 @@ pub enum Quantity {
 
 /// Powers of ten that the axis spans.
 const DECADES: f64 = 4.0;
+/// E_r/E of beads that move as one, their velocities each off by a last bit or some.
+const ROUNDING: f64 = 1e-28;
 
 impl Quantity {
     fn title(self) -> &'static str {
@@ -36,7 +38,7 @@ impl Quantity {
     fn of(self, kinetic: f64, relative: f64) -> f64 {
         match self {
             Quantity::Kinetic => kinetic,
-            Quantity::Relative if kinetic > 0.0 => relative / kinetic,
+            Quantity::Relative if relative > ROUNDING * kinetic => relative / kinetic,
             Quantity::Relative => 0.0,
         }
     }

@@ -14,7 +14,7 @@ const TIMED: &str = "scenes with soft contacts and law hooke, or the rule tc";
 const GIVEN: &str = "scenes with law hooke or hard spheres (method ed)";
 const POWER: &str = "scenes with a power law (law hertz, hertz-kuwabara-kono, taguchi or power)";
 const FREE: &str = "scenes with law power";
-const CONSTANTS: Scale = Scale::Log {
+pub(super) const CONSTANTS: Scale = Scale::Log {
     fine: 1.1,
     coarse: 2.0,
     smallest: 1e-12,

@@ -1,9 +1,10 @@
 //! The report on a column under gravity.
 
-use super::{Looks, Mean, PARTED, Row, Run, SETTLING, WINDOWS};
+use super::{Looks, PARTED, Row, Run, SETTLING, WINDOWS};
 use crate::scene::Scene;
 use crate::study::RunError;
 use crate::study::accuracy::Report;
+use crate::study::means::Mean;
 use crate::study::plot::{Axis, Look, Plot, Series};
 use crate::study::table::{Cell, Column, Digits, Table};
 
@@ -129,17 +130,20 @@ fn of_one(name: &str, setting: &str, run: &Run, truth: Option<&Run>) -> Vec<Cell
     let off = |mean: Option<Mean>, true_mean: Option<Mean>| {
         mean.zip(true_mean).and_then(|(a, b)| a.in_errors_from(b))
     };
-    let (height, share) = (run.height(), run.share());
+    let height = |run: &Run| run.means.height(run.means.all());
+    let share = |run: &Run| run.means.share(run.means.all());
+    let (true_height, true_share) = (truth.and_then(height), truth.and_then(share));
+    let (height, share) = (height(run), share(run));
     vec![
         name.into(),
         setting.into(),
         height.map(|mean| mean.value).into(),
         height.and_then(|mean| mean.error).into(),
-        off(height, truth.and_then(Run::height)).into(),
+        off(height, true_height).into(),
         share.map(|mean| mean.value).into(),
         share.and_then(|mean| mean.error).into(),
-        off(share, truth.and_then(Run::share)).into(),
-        (run.blocks.len() as u64).into(),
+        off(share, true_share).into(),
+        (run.means.periods() as u64).into(),
     ]
 }
 

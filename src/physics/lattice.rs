@@ -1,0 +1,122 @@
+//! Beads in a plane (Sec. IV C): a triangular lattice that is periodic across is thrown
+//! at a floor. Soft contacts on a grid of time steps.
+//!
+//! The state is the displacement of every bead from its site, and two beads' gap is
+//! (r² − d²)/(r + d) with r² − d² = (R² − d²) + 2R·δ + δ², R being the vector between
+//! their sites and δ the difference of their displacements. R² − d² comes from whole
+//! numbers and s₀, so an overlap keeps all digits that the displacements have; a lattice
+//! that just touches does so exactly.
+
+mod engine;
+mod forces;
+mod gear;
+mod list;
+mod mover;
+mod upkeep;
+mod verlet;
+mod view;
+
+use super::Engine;
+use super::column::{masses, springs};
+use super::md::{Law, Linear, Powered};
+use super::power_law::Spring;
+use super::state::State;
+use crate::scene::lattice::Sites;
+use crate::scene::{self, Arrangement, Integrator, Method, Scene, Solver};
+use engine::Lattice;
+use forces::{Laws, Rubbing, Smooth, Surface};
+use gear::Gear;
+use mover::Mover;
+use verlet::Verlet;
+
+/// What a lattice is, whatever moves it.
+struct Plane {
+    sites: Sites,
+    floor: Spring,
+    pair: Spring,
+    tangential: f64,
+    contact_time: f64,
+    steps_per_contact: f64,
+    /// The collision is over when nothing has touched for so long, s.
+    wait: f64,
+}
+
+/// Builds the engine of a lattice.
+pub(super) fn build(scene: &Scene, sites: Sites, state: State) -> Box<dyn Engine> {
+    let (
+        Arrangement::Lattice { tangential, .. },
+        Method::Md {
+            solver:
+                Solver::Grid {
+                    integrator,
+                    steps_per_contact,
+                },
+            attraction,
+            ..
+        },
+        Some(contact_time),
+    ) = (scene.arrangement, scene.method, scene.contact_time())
+    else {
+        unreachable!("a lattice is a scene of soft contacts on a grid");
+    };
+    let springs = springs(scene, &masses(scene));
+    // In 2N s₀/|v₀| a lattice without separation would have no time at all: its contacts
+    // part within some t_c.
+    let crossing = sites.separation / scene.own_speed();
+    let plane = Plane {
+        sites,
+        floor: springs[0],
+        pair: springs[springs.len() - 1],
+        tangential,
+        contact_time,
+        steps_per_contact,
+        wait: 2.0 * scene.n as f64 * crossing.max(contact_time),
+    };
+    let power = matches!(scene.law(), Some(scene::Law::Power(_)));
+    match (power, attraction) {
+        (false, true) => with_law(integrator, plane, state, Linear::<true>),
+        (false, false) => with_law(integrator, plane, state, Linear::<false>),
+        (true, true) => with_law(integrator, plane, state, Powered::<true>),
+        (true, false) => with_law(integrator, plane, state, Powered::<false>),
+    }
+}
+
+fn with_law<L: Law + 'static>(
+    integrator: Integrator,
+    plane: Plane,
+    state: State,
+    law: impl Fn(Spring) -> L,
+) -> Box<dyn Engine> {
+    let laws = Laws {
+        floor: law(plane.floor),
+        pair: law(plane.pair),
+    };
+    if plane.tangential == 0.0 {
+        with_surface(integrator, plane, state, laws, Smooth)
+    } else {
+        let rubbing = Rubbing(plane.tangential);
+        with_surface(integrator, plane, state, laws, rubbing)
+    }
+}
+
+fn with_surface<L: Law + 'static, S: Surface + 'static>(
+    integrator: Integrator,
+    plane: Plane,
+    state: State,
+    laws: Laws<L>,
+    surface: S,
+) -> Box<dyn Engine> {
+    match integrator {
+        Integrator::Gear => moved_by::<Gear, L, S>(plane, state, laws, surface),
+        Integrator::Verlet => moved_by::<Verlet, L, S>(plane, state, laws, surface),
+    }
+}
+
+fn moved_by<M: Mover + 'static, L: Law + 'static, S: Surface + 'static>(
+    plane: Plane,
+    state: State,
+    laws: Laws<L>,
+    surface: S,
+) -> Box<dyn Engine> {
+    Box::new(Lattice::<M, L, S>::new(plane, state, laws, surface))
+}

@@ -1,0 +1,225 @@
+//! A lattice on a grid of steps, as an engine.
+
+use std::collections::BTreeMap;
+
+use super::Plane;
+use super::forces::{Forces, Laws, Surface};
+use super::mover::Mover;
+use super::upkeep::HOUSEKEEPING;
+use super::view::View;
+use crate::physics::ledger::Ledger;
+use crate::physics::md::{Law, MOST_STEPS};
+use crate::physics::observation::Observation;
+use crate::physics::state::{Books, State};
+use crate::physics::{Engine, EngineError, Outcome};
+
+/// A lattice on a grid of steps.
+pub(super) struct Lattice<M, L, S> {
+    pub(super) mover: M,
+    pub(super) forces: Forces<L, S>,
+    pub(super) plane: Plane,
+    /// Time of grid point 0, s: the start, or the last edit.
+    pub(super) origin: f64,
+    pub(super) h: f64,
+    /// Grid points done.
+    pub(super) n: u64,
+    /// Where a flight without any contact began and where it will be stepped again.
+    pub(super) flight: Option<(u64, u64)>,
+    /// Grid points passed in finished flights.
+    pub(super) skipped: u64,
+    pub(super) state: State,
+    /// Which contact of the log a pair has.
+    pub(super) slots: BTreeMap<[u32; 2], usize>,
+    /// Energy of a contact below which it does not count any more, m²/s².
+    pub(super) quiet: f64,
+    /// When a contact last counted, s.
+    pub(super) busy: f64,
+    pub(super) over: bool,
+    /// Rates now, where they are wanted one by one.
+    pub(super) rates: Vec<f64>,
+}
+
+impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
+    pub(super) fn new(plane: Plane, mut state: State, laws: Laws<L>, surface: S) -> Self {
+        let h = plane.contact_time / plane.steps_per_contact;
+        let places = std::mem::take(&mut state.gaps);
+        let rates = std::mem::take(&mut state.rates);
+        let mut forces = Forces::new(plane.sites, laws, surface, &places);
+        let mover = M::start(places, &rates, h, &mut forces);
+        forces.lost = 0.0;
+        let slots = (1..).zip(&state.bonds).map(|(slot, bond)| (*bond, slot));
+        let mut lattice = Self {
+            mover,
+            forces,
+            plane,
+            origin: state.time,
+            h,
+            n: 0,
+            flight: None,
+            skipped: 0,
+            slots: slots.collect(),
+            quiet: 0.0,
+            busy: state.time,
+            over: false,
+            rates,
+            state,
+        };
+        lattice.set_quiet();
+        lattice.note_contacts();
+        let places = lattice.mover.places();
+        if lattice.state.books.contacts.closed()[0] {
+            let arrival = lattice.view(places, &lattice.rates).arrival();
+            lattice.state.books.bounce.begin(arrival);
+        }
+        let places = lattice.mover.places();
+        let energy = lattice.view(places, &lattice.rates).energy();
+        let error = lattice.state.ledger_error;
+        lattice.state.books.ledger.open(energy, error);
+        lattice
+    }
+
+    pub(super) fn view<'a>(&'a self, places: &'a [f64], rates: &'a [f64]) -> View<'a> {
+        View {
+            time: self.grid(self.n),
+            places,
+            rates,
+            sites: &self.forces.sites,
+            list: &self.forces.list,
+            springs: (self.plane.floor, self.plane.pair),
+        }
+    }
+
+    pub(super) fn grid(&self, n: u64) -> f64 {
+        self.origin + n as f64 * self.h
+    }
+
+    /// The last grid point not after `until`.
+    fn last_step(&self, until: f64) -> u64 {
+        let estimate = ((until - self.origin) / self.h).max(0.0);
+        if estimate >= MOST_STEPS {
+            return u64::MAX;
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and 2^53"
+        )]
+        let mut n = estimate as u64;
+        while n > 0 && self.grid(n) > until {
+            n -= 1;
+        }
+        while self.grid(n + 1) <= until {
+            n += 1;
+        }
+        n
+    }
+
+    /// Does up to `steps` steps, not past a look at the numbers; how many it did.
+    fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
+        let steps = steps.min(HOUSEKEEPING - self.n % HOUSEKEEPING);
+        let (mut done, mut changed) = (0, false);
+        while done < steps && !changed {
+            changed = self.mover.step(&mut self.forces);
+            done += 1;
+        }
+        self.n += done;
+        if changed {
+            self.take_rates();
+            self.note_contacts();
+        }
+        if self.n.is_multiple_of(HOUSEKEEPING) {
+            self.housekeeping()?;
+        }
+        Ok(done)
+    }
+
+    pub(super) fn take_rates(&mut self) {
+        let accelerations = &self.forces.accelerations;
+        self.mover.rates(accelerations, &mut self.rates);
+    }
+
+    /// Displacements and rates now, those of a flight included.
+    pub(super) fn now(&self) -> (Vec<f64>, Vec<f64>) {
+        let mut places = self.mover.places().to_vec();
+        let mut rates = Vec::new();
+        self.mover.rates(&self.forces.accelerations, &mut rates);
+        if let Some((from, _)) = self.flight {
+            let flown = (self.n - from) as f64 * self.h;
+            for (place, rate) in places.iter_mut().zip(&rates) {
+                *place += rate * flown;
+            }
+        }
+        (places, rates)
+    }
+
+    /// What is accounted for, up to now.
+    pub(super) fn ledger(&self) -> Ledger {
+        let mut ledger = self.state.books.ledger;
+        ledger.lost.add(self.forces.lost * self.h);
+        ledger
+    }
+
+    /// Steps done.
+    fn steps(&self) -> u64 {
+        let flying = self.flight.map_or(0, |(from, _)| self.n - from);
+        self.state.books.steps + self.n - self.skipped - flying
+    }
+}
+
+impl<M: Mover, L: Law, S: Surface> Engine for Lattice<M, L, S> {
+    fn time(&self) -> f64 {
+        self.grid(self.n)
+    }
+
+    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+        let target = self.last_step(until);
+        let mut left = budget;
+        loop {
+            self.fly(target)?;
+            if self.n >= target || left == 0 {
+                break;
+            }
+            left -= self.run(left.min(target - self.n))?;
+        }
+        Ok(match (self.n >= target, self.over) {
+            (false, _) => Outcome::OutOfBudget,
+            (true, true) => Outcome::Over,
+            (true, false) => Outcome::Reached,
+        })
+    }
+
+    fn is_over(&self) -> bool {
+        self.over
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        None
+    }
+
+    fn observe(&self, into: &mut Observation) {
+        let (places, rates) = self.now();
+        let view = self.view(&places, &rates);
+        view.observe(&self.state.books, self.ledger(), into);
+        into.steps = self.steps();
+    }
+
+    fn state(&self) -> State {
+        let (places, rates) = self.now();
+        let books = Books {
+            ledger: self.ledger(),
+            steps: self.steps(),
+            ..self.state.books.clone()
+        };
+        let energy = self.view(&places, &rates).energy();
+        State {
+            time: self.time(),
+            ledger_error: books.ledger.error(energy),
+            gaps: places,
+            rates,
+            plate: self.state.plate,
+            springs: vec![self.plane.floor, self.plane.pair],
+            bonds: self.state.bonds.clone(),
+            books,
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Gear's fifth-order predictor–corrector for a lattice: the scaled derivatives
+//! r_k = (h^k/k!) d^k x/dt^k of every displacement, a row each.
+
+use super::forces::{Forces, Surface};
+use super::mover::{Mover, flush};
+use crate::physics::md::{CORRECTOR, Law};
+
+pub(super) struct Gear {
+    h: f64,
+    rows: [Vec<f64>; 6],
+}
+
+impl Mover for Gear {
+    fn start<L: Law, S: Surface>(
+        places: Vec<f64>,
+        rates: &[f64],
+        h: f64,
+        forces: &mut Forces<L, S>,
+    ) -> Self {
+        forces.act(&places, rates, 1.0);
+        let half = 0.5 * h * h;
+        let zero = || vec![0.0; rates.len()];
+        Self {
+            h,
+            rows: [
+                places,
+                rates.iter().map(|w| w * h).collect(),
+                forces.accelerations.iter().map(|a| a * half).collect(),
+                zero(),
+                zero(),
+                zero(),
+            ],
+        }
+    }
+
+    #[inline]
+    fn step<L: Law, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
+        self.predict();
+        let changed = forces.act(&self.rows[0], &self.rows[1], 1.0 / self.h);
+        self.correct(&forces.accelerations);
+        changed
+    }
+
+    fn coast(&mut self, steps: u64) {
+        let coasted = steps as f64;
+        let [places, rates, rest @ ..] = &mut self.rows;
+        for (place, rate) in places.iter_mut().zip(rates) {
+            *place += *rate * coasted;
+        }
+        // What is left of the rest has died away over the steps since the last contact.
+        for row in rest {
+            row.fill(0.0);
+        }
+    }
+
+    fn places(&self) -> &[f64] {
+        &self.rows[0]
+    }
+
+    fn rates(&self, _: &[f64], into: &mut Vec<f64>) {
+        into.clear();
+        into.extend(self.rows[1].iter().map(|r| r / self.h));
+    }
+
+    fn clear(&mut self) {
+        self.rows.iter_mut().for_each(|row| flush(row));
+    }
+}
+
+impl Gear {
+    /// The Taylor series, a step on: Pascal's triangle, in sums alone.
+    #[inline]
+    fn predict(&mut self) {
+        let [r0, r1, r2, r3, r4, r5] = &mut self.rows;
+        let upper = r3.iter_mut().zip(r4).zip(r5.iter());
+        let lower = r0.iter_mut().zip(r1).zip(r2);
+        for (((a, b), c), ((d, e), f)) in lower.zip(upper) {
+            let e1 = *e + f;
+            let d1 = *d + e1;
+            let c1 = *c + d1;
+            let b1 = *b + c1;
+            let e2 = e1 + f;
+            let d2 = d1 + e2;
+            let c2 = c1 + d2;
+            let e3 = e2 + f;
+            let d3 = d2 + e3;
+            let e4 = e3 + f;
+            *a += b1;
+            *b = b1 + c2;
+            *c = c2 + d3;
+            *d = d3 + e4;
+            *e = e4 + f;
+        }
+    }
+
+    /// Sets the derivatives right for these accelerations.
+    #[inline]
+    fn correct(&mut self, accelerations: &[f64]) {
+        let half = 0.5 * self.h * self.h;
+        let [r0, r1, r2, r3, r4, r5] = &mut self.rows;
+        let upper = r3.iter_mut().zip(r4).zip(r5);
+        let lower = r0.iter_mut().zip(r1).zip(r2);
+        let rows = lower.zip(upper).zip(accelerations);
+        for ((((a, b), c), ((d, e), f)), acceleration) in rows {
+            let delta = acceleration * half - *c;
+            *a += delta * CORRECTOR[0];
+            *b += delta * CORRECTOR[1];
+            *c += delta * CORRECTOR[2];
+            *d += delta * CORRECTOR[3];
+            *e += delta * CORRECTOR[4];
+            *f += delta * CORRECTOR[5];
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! What a lattice looks after between steps: contacts, flights, its end and its numbers.
+
+use super::engine::Lattice;
+use super::forces::Surface;
+use super::mover::Mover;
+use crate::physics::EngineError;
+use crate::physics::column::OVER;
+use crate::physics::md::{Law, MOST_STEPS};
+
+/// Steps between two looks at the numbers themselves.
+pub(super) const HOUSEKEEPING: u64 = 32;
+/// Steps between two looks at the energy.
+const INSPECTION: u64 = 1024;
+
+impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
+    /// Writes down which contacts began or ended in the last step; the rates are those
+    /// of now.
+    pub(super) fn note_contacts(&mut self) {
+        let time = self.grid(self.n);
+        let n = self.forces.sites.count();
+        let (mut loud, mut on_floor) = (false, false);
+        for foot in &mut self.forces.list.feet {
+            if foot.noted != foot.closed {
+                let w = self.rates[n + foot.i as usize];
+                loud |= 0.5 * w * w > self.quiet;
+            }
+            foot.noted = foot.closed;
+            on_floor |= foot.closed;
+        }
+        for k in 0..self.forces.list.bonds.len() {
+            let bond = self.forces.list.bonds[k];
+            if bond.noted == bond.closed {
+                continue;
+            }
+            let (_, w) = self.forces.gap(k, self.mover.places(), &self.rates);
+            // Half the reduced mass is a quarter.
+            loud |= 0.25 * w * w > self.quiet;
+            self.forces.list.bonds[k].noted = bond.closed;
+            let slot = self.slot([bond.i, bond.j]);
+            self.state.books.contacts.note(slot, bond.closed, time);
+        }
+        if loud {
+            self.busy = time;
+        }
+        if self.state.books.contacts.closed()[0] != on_floor {
+            self.state.books.contacts.note(0, on_floor, time);
+            let arrival = self.view(self.mover.places(), &self.rates).arrival();
+            self.state.books.bounce.turn(on_floor, arrival);
+        }
+    }
+
+    /// The contact of the log that a pair has.
+    fn slot(&mut self, pair: [u32; 2]) -> usize {
+        if let Some(&slot) = self.slots.get(&pair) {
+            return slot;
+        }
+        let slot = self.state.books.contacts.add();
+        self.state.bonds.push(pair);
+        self.slots.insert(pair, slot);
+        slot
+    }
+
+    /// A contact counts while it could change the energy by [`OVER`] of it or more,
+    /// if all beads had such contacts.
+    pub(super) fn set_quiet(&mut self) {
+        let kinetic: f64 = self.rates.iter().map(|w| 0.5 * w * w).sum();
+        self.quiet = OVER * kinetic / self.forces.sites.count() as f64;
+    }
+
+    /// Whether a contact that counts is closed; the rates are those of now.
+    fn is_loud(&self) -> bool {
+        let n = self.forces.sites.count();
+        let (places, quiet) = (self.mover.places(), self.quiet);
+        let foot_is_loud = self.forces.list.feet.iter().any(|foot| {
+            let i = foot.i as usize;
+            let (gap, w) = (foot.gap + places[n + i], self.rates[n + i]);
+            foot.closed && self.plane.floor.energy((-gap).max(0.0)) + 0.5 * w * w > quiet
+        });
+        foot_is_loud
+            || (0..self.forces.list.bonds.len()).any(|k| {
+                let closed = self.forces.list.bonds[k].closed;
+                closed && {
+                    let (gap, w) = self.forces.gap(k, places, &self.rates);
+                    self.plane.pair.energy((-gap).max(0.0)) + 0.25 * w * w > quiet
+                }
+            })
+    }
+
+    /// The collision is over when the floor was touched, and for the paper's time no
+    /// contact has counted.
+    fn look_for_the_end(&mut self) {
+        let (touched, _) = self.state.books.contacts.floor();
+        self.over |= touched.is_some() && self.grid(self.n) - self.busy >= self.plane.wait;
+    }
+
+    /// Goes on in one flight to just before the next contact, if no contact has been
+    /// closed since the last look.
+    fn look_for_flight(&mut self) -> Result<(), EngineError> {
+        let since = self.state.books.contacts.last().unwrap_or(self.origin);
+        let settled = self.grid(self.n) - since > HOUSEKEEPING as f64 * self.h;
+        if !settled || !self.state.books.contacts.all_open() {
+            return Ok(());
+        }
+        let mut ahead = self.next_contact().min(self.room());
+        if ahead > 0.0 && self.room() < self.next_contact() {
+            // The way is free as far as the list tells: a new one tells more.
+            let Self { forces, mover, .. } = self;
+            forces.list.make(&forces.sites, mover.places());
+            ahead = self.next_contact().min(self.room());
+        }
+        let ahead = ahead / self.h;
+        if ahead.is_finite() && self.n as f64 + ahead >= MOST_STEPS && !self.over {
+            return Err(EngineError::BeyondTime {
+                time: self.grid(self.n),
+                steps: ahead,
+            });
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a count of steps, or infinite"
+        )]
+        let steps = ahead.min(u64::MAX as f64) as u64;
+        // The last steps are done one by one: the closed form must not overshoot.
+        let steps = steps.saturating_sub(2) / HOUSEKEEPING * HOUSEKEEPING;
+        if steps > 0 {
+            self.flight = Some((self.n, self.n.saturating_add(steps)));
+        }
+        Ok(())
+    }
+
+    /// Time to the next contact of a pair in the list, or with the floor, in free
+    /// flight, s; the rates are those of now.
+    fn next_contact(&self) -> f64 {
+        let n = self.forces.sites.count();
+        let places = self.mover.places();
+        let mut next = f64::INFINITY;
+        for foot in &self.forces.list.feet {
+            let (gap, w) = (
+                foot.gap + places[n + foot.i as usize],
+                self.rates[n + foot.i as usize],
+            );
+            if w < 0.0 {
+                next = next.min(-gap / w);
+            }
+        }
+        for bond in &self.forces.list.bonds {
+            let (i, j) = (bond.i as usize, bond.j as usize);
+            let (dx, dy) = (places[j] - places[i], places[n + j] - places[n + i]);
+            let (u, v) = (
+                self.rates[j] - self.rates[i],
+                self.rates[n + j] - self.rates[n + i],
+            );
+            let approach = -((bond.offset.x + dx) * u + (bond.offset.y + dy) * v);
+            if approach > 0.0 {
+                let excess = bond.offset.excess_when_moved(dx, dy);
+                let turn = approach * approach - (u * u + v * v) * excess;
+                if turn >= 0.0 {
+                    next = next.min(excess / (approach + turn.sqrt()));
+                }
+            }
+        }
+        next
+    }
+
+    /// Time for which the list is good in free flight, s.
+    fn room(&self) -> f64 {
+        let n = self.forces.sites.count();
+        let (across, up) = self.rates.split_at(n);
+        let beads = across.iter().zip(up);
+        let fastest = beads.map(|(u, v)| u * u + v * v).fold(0.0, f64::max).sqrt();
+        let left = self.forces.list.slack() - self.forces.list.moved(self.mover.places());
+        left / fastest
+    }
+
+    /// Passes through flights, up to grid point `last` at most.
+    pub(super) fn fly(&mut self, last: u64) -> Result<(), EngineError> {
+        while let Some((from, end)) = self.flight {
+            self.n = end.min(last).max(self.n);
+            if self.n < end {
+                break;
+            }
+            self.mover.coast(end - from);
+            self.skipped += end - from;
+            self.flight = None;
+            self.look_for_the_end();
+            self.look_for_flight()?;
+        }
+        Ok(())
+    }
+
+    /// Every so often, whatever the slices a run is advanced in.
+    pub(super) fn housekeeping(&mut self) -> Result<(), EngineError> {
+        self.state.books.ledger.lost.add(self.forces.lost * self.h);
+        self.forces.lost = 0.0;
+        self.mover.clear();
+        self.take_rates();
+        self.set_quiet();
+        if self.is_loud() {
+            self.busy = self.grid(self.n);
+        }
+        self.look_for_the_end();
+        self.look_for_flight()?;
+        let sound = self.mover.places().iter().sum::<f64>().is_finite();
+        if sound && !self.n.is_multiple_of(INSPECTION) {
+            return Ok(());
+        }
+        if !sound || self.lost_the_energy() {
+            return Err(EngineError::Unstable {
+                time: self.grid(self.n),
+                steps_per_contact: self.plane.steps_per_contact,
+            });
+        }
+        Ok(())
+    }
+
+    /// Whether the ledger shows that the integration blows up.
+    fn lost_the_energy(&self) -> bool {
+        let energy = self.view(self.mover.places(), &self.rates).energy();
+        self.ledger().is_broken(energy, 0.0)
+    }
+}

@@ -1,0 +1,70 @@
+//! Velocity Verlet for a lattice. The dashpots get the velocity that the old
+//! acceleration predicts; rates are kept as they were half a step ago.
+
+use super::forces::{Forces, Surface};
+use super::mover::{Mover, flush};
+use crate::physics::md::Law;
+
+pub(super) struct Verlet {
+    h: f64,
+    places: Vec<f64>,
+    /// Rates half a step ago, m/s.
+    before: Vec<f64>,
+    /// Rates predicted for the end of the step, m/s.
+    predicted: Vec<f64>,
+}
+
+impl Mover for Verlet {
+    fn start<L: Law, S: Surface>(
+        places: Vec<f64>,
+        rates: &[f64],
+        h: f64,
+        forces: &mut Forces<L, S>,
+    ) -> Self {
+        forces.act(&places, rates, 1.0);
+        let before = rates.iter().zip(&forces.accelerations);
+        Self {
+            h,
+            before: before.map(|(w, a)| w - a * (0.5 * h)).collect(),
+            predicted: rates.to_vec(),
+            places,
+        }
+    }
+
+    #[inline]
+    fn step<L: Law, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
+        let h = self.h;
+        let rates = self.before.iter_mut().zip(&mut self.predicted);
+        let state = self.places.iter_mut().zip(rates);
+        for ((place, (before, predicted)), a) in state.zip(&forces.accelerations) {
+            let kick = a * (0.5 * h);
+            let half = (*before + kick) + kick;
+            *place += half * h;
+            *predicted = half + kick;
+            *before = half;
+        }
+        forces.act(&self.places, &self.predicted, 1.0)
+    }
+
+    fn coast(&mut self, steps: u64) {
+        let flight = steps as f64 * self.h;
+        for (place, rate) in self.places.iter_mut().zip(&self.before) {
+            *place += rate * flight;
+        }
+    }
+
+    fn places(&self) -> &[f64] {
+        &self.places
+    }
+
+    fn rates(&self, accelerations: &[f64], into: &mut Vec<f64>) {
+        let kicked = self.before.iter().zip(accelerations);
+        into.clear();
+        into.extend(kicked.map(|(w, a)| w + a * (0.5 * self.h)));
+    }
+
+    fn clear(&mut self) {
+        flush(&mut self.places);
+        flush(&mut self.before);
+    }
+}
