@@ -81,8 +81,8 @@ same bytes. After a kill the same command with --resume goes on where it ended. 
 a scene does not have is an empty cell; a run that fails leaves its results empty
 and its reason in the column `note`.
 
-Exit codes: 0 done, 1 a run failed or the file cannot be written, 2 bad input,
-130 or 143 ended by Ctrl-C or TERM.";
+Exit codes: 0 done, 1 a run failed or the disk is full, 2 bad input (a file that
+cannot be opened too), 130 or 143 ended by Ctrl-C or TERM.";
 
 const FIGURE_EXAMPLES: &str = "\
 Examples:

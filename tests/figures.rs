@@ -5,6 +5,10 @@ mod program;
 
 use program::{json, printed, refused};
 use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+#[cfg(unix)]
+use std::process::Command;
 
 /// The tables of a quick figure.
 fn tables(name: &str) -> Vec<Value> {
@@ -163,6 +167,113 @@ fn hard_beads_stay_closed_on_a_plate_and_soft_ones_part() {
     // The closed form of one inelastic body at α = 2, seen at 200 looks a period.
     assert!((claim(&hard, "apex").0 - 1.25).abs() < 1e-3);
     assert!(claim(&tables("6b"), "widest opening").0 > 1.0);
+}
+
+#[test]
+fn condensed_and_expanded_states_alternate() {
+    let tables = tables("5b");
+    let motion = rows(&tables, "fig5b");
+    // 60 periods of 200 looks and the start, with every bead.
+    assert_eq!(motion.len(), 12_001);
+    assert!((1..=10).all(|bead| motion[0].get(format!("z{bead}")).is_some()));
+    let landings = rows(&tables, "fig5b-landings");
+    // Sec. V A: what lands dense parts, what lands loose closes up again.
+    let rises = |dense: bool| {
+        let pairs = landings.windows(2);
+        let mine = pairs.filter(|pair| (number(&pair[1], "sigma") < 1.0) == dense);
+        let ratios: Vec<f64> = mine
+            .filter_map(|pair| {
+                let after = |row: &Value| row["er_over_e_after"].as_f64();
+                Some(after(&pair[1])? / after(&pair[0])?)
+            })
+            .collect();
+        assert!(ratios.len() >= 10, "{}", ratios.len());
+        ratios.iter().filter(|ratio| **ratio > 1.0).count() as f64 / ratios.len() as f64
+    };
+    assert!(rises(true) > 0.7 && rises(false) < 0.5);
+    assert!(claim(&tables, "time with E_r/E < 1e-3").0 > 0.1);
+}
+
+#[test]
+fn a_closed_orbit_of_hard_spheres_is_that_of_very_stiff_ones() {
+    // Strong shaking from rest: at this α the column lands gently, as one body, every
+    // time. Soft contacts of 1e-9 s, which find that by themselves, agree to what they
+    // are compressed and delayed by: parts of 1e-5 and less.
+    let common = ["--set", "alpha=39.25536332185396", "--set", "duration=2"];
+    let hard = json(&[&["fig7-ed"][..], &common].concat());
+    let stiff = ["fig7-md", "--method", "exact", "--set", "contact_time=1e-9"];
+    let soft = json(&[&stiff[..], &common].concat());
+    let (hard, soft) = (number(&hard, "h_cm_mean"), number(&soft, "h_cm_mean"));
+    assert!((soft / hard - 1.0).abs() < 1e-4, "{soft} {hard}");
+    // One flight of 13 periods as a parabola: a fifth of what loose columns reach.
+    assert!(hard < 0.5, "{hard}");
+}
+
+#[test]
+fn exponents_stand_beside_the_equations_and_the_misprint_beside_the_table() {
+    let tables = tables("table1");
+    let of_a2 = claim(&tables, "(1/2, 1/2): t_c over v0");
+    assert_eq!(
+        claim(&tables, "(1/2, 1/2): t_c over v0, as printed").1,
+        "NO"
+    );
+    assert!((of_a2.0 + 0.2).abs() < 1e-3, "{}", of_a2.0);
+}
+
+/// A folder of this test that holds nothing.
+fn empty_folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    // It may not be there.
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir(&folder).expect("the folder of the tests can be written");
+    folder
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_report_takes_its_place_as_a_whole() {
+    let folder = empty_folder("figure-whole");
+    let out = folder.to_str().expect("UTF-8");
+    printed(&["figure", "2c", "--quick", "--out", out]);
+    let expected = [
+        "claims-2c.csv",
+        "fig2c.csv",
+        "fig2c.svg",
+        "report.json",
+        "report.txt",
+    ];
+    assert_eq!(names(&folder), expected);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_full_disk_leaves_what_was_there() {
+    let folder = empty_folder("figure-full");
+    fs::write(folder.join("fig2a.csv"), "before").expect("a file");
+    // No file may be longer than 8 KiB, which the points of the figure are.
+    let script = "trap '' XFSZ; ulimit -f 8; exec \"$0\" figure 2a --quick --out \"$1\"";
+    let output = Command::new("bash")
+        .args(["-c", script, env!("CARGO_BIN_EXE_beadlab")])
+        .arg(&folder)
+        .output()
+        .expect("a shell");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    assert!(
+        stderr.contains("cannot be written") && stderr.lines().count() == 1,
+        "{stderr}"
+    );
+    assert_eq!(names(&folder), ["fig2a.csv"]);
+    let kept = fs::read_to_string(folder.join("fig2a.csv")).expect("a file");
+    assert_eq!(kept, "before");
 }
 
 #[test]

@@ -339,7 +339,7 @@ fn a_point_that_fails_leaves_its_reason_and_the_sweep_goes_on() {
 #[test]
 fn a_folder_that_is_not_there_and_a_full_disk_are_told_in_one_line() {
     let arguments = ["sweep", "fig1b", "--over", "n=1,2", "--out"];
-    let line = failed(&[&arguments[..], &["/no/such/folder/x.csv"]].concat(), 1);
+    let line = refused(&[&arguments[..], &["/no/such/folder/x.csv"]].concat());
     assert!(
         line.contains("cannot be written: there is no such folder"),
         "{line}"

@@ -11,6 +11,9 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// Time between two looks at the bar.
 const REFRESH: Duration = Duration::from_millis(100);
 
+/// Columns that a bar with all its words takes.
+const ROOM: usize = 70;
+
 /// Resolution of the bar.
 const PARTS: f64 = 1000.0;
 
@@ -62,18 +65,36 @@ impl Drop for Progress {
 }
 
 fn new_bar(has_end: bool) -> ProgressBar {
-    let template = if has_end {
-        "{bar:40} {percent:>3} %  {msg}  {eta}"
-    } else {
-        "{spinner} {msg}"
+    // What is wide is cut off where the line ends, so that no line is ever wrapped.
+    let template = match (has_end, is_narrow()) {
+        (true, false) => "{bar:24} {percent:>3} % {left:>9}  {wide_msg}",
+        (true, true) => "{percent:>3} % {wide_msg}",
+        (false, _) => "{spinner} {wide_msg}",
     };
-    let style = ProgressStyle::with_template(template)
-        .unwrap_or_else(|_| ProgressStyle::default_bar())
-        .progress_chars("##-")
-        .tick_chars("|/-\\ ");
+    let style = style(template, 0).tick_chars("|/-\\ ");
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let parts = has_end.then_some(PARTS as u64);
     ProgressBar::with_draw_target(parts, ProgressDrawTarget::stderr()).with_style(style)
+}
+
+fn is_narrow() -> bool {
+    crossterm::terminal::size().is_ok_and(|(columns, _)| usize::from(columns) < ROOM)
+}
+
+/// A style in which `left` is the time left, once more than what was `done` before is.
+fn style(template: &str, done: u64) -> ProgressStyle {
+    ProgressStyle::with_template(template)
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .with_key(
+            "left",
+            move |state: &ProgressState, text: &mut dyn fmt::Write| {
+                // Before the first part is done nobody knows.
+                if state.pos() > done {
+                    let _ = write!(text, "{:#} left", HumanDuration(state.eta()));
+                }
+            },
+        )
+        .progress_chars("##-")
 }
 
 /// A bar on standard error for a study of many runs, if that is a terminal.
@@ -117,18 +138,12 @@ impl RowsDone {
     pub fn new(done: usize, all: usize) -> Self {
         let wanted = io::stderr().is_terminal() && done < all;
         Self(wanted.then(|| {
-            let style = ProgressStyle::with_template("{bar:30} {pos}/{len} rows  {left}")
-                .unwrap_or_else(|_| ProgressStyle::default_bar())
-                .with_key(
-                    "left",
-                    move |state: &ProgressState, text: &mut dyn fmt::Write| {
-                        // Before the first row nobody knows.
-                        if state.pos() > done as u64 {
-                            let _ = write!(text, "{:#} left", HumanDuration(state.eta()));
-                        }
-                    },
-                )
-                .progress_chars("##-");
+            let template = if is_narrow() {
+                "{pos}/{len} rows"
+            } else {
+                "{bar:30} {pos}/{len} rows  {left}"
+            };
+            let style = style(template, done as u64);
             let target = ProgressDrawTarget::stderr();
             let bar = ProgressBar::with_draw_target(Some(all as u64), target).with_style(style);
             bar.set_position(done as u64);

@@ -10,11 +10,14 @@ use crate::study::table::Table;
 use crate::tui::theme::Theme;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Columns where no terminal says otherwise, and the most that a line is read in.
 const WIDTH: usize = 80;
 const WIDEST: usize = 100;
+
+/// The report as it is printed, in the folder.
+const REPORT: &str = "report.txt";
 
 /// Lines of a plot.
 const LINES: usize = 22;
@@ -48,16 +51,16 @@ impl Part {
 /// Where a report goes; made before the work, so that it does not end in vain.
 pub(super) struct Destination<'a> {
     args: &'a ReportArgs,
-    folder: Option<(PathBuf, Output)>,
+    folder: Option<&'a Path>,
 }
 
 impl<'a> Destination<'a> {
     /// The folder is made where only its last part is missing.
     pub fn open(args: &'a ReportArgs) -> Result<Self, Failure> {
-        let folder = match &args.out {
-            None => None,
-            Some(path) => Some((path.clone(), open_folder(path)?)),
-        };
+        let folder = args.out.as_deref();
+        if let Some(folder) = folder {
+            prepare(folder)?;
+        }
         Ok(Self { args, folder })
     }
 
@@ -70,12 +73,8 @@ impl<'a> Destination<'a> {
 
     /// Prints the parts in their order, and writes each into the folder.
     pub fn write_parts(self, report: &[Part]) -> Result<(), Failure> {
-        if let Some((folder, mut text)) = self.folder {
-            let all = in_words(report, WIDTH, true);
-            let written = text.write_all(all.as_bytes());
-            text.judge(written)?;
-            text.finish()?;
-            write_files(&folder, report)?;
+        if let Some(folder) = self.folder {
+            write_files(folder, report)?;
         }
         let text = match self.args.format {
             Format::Text => {
@@ -90,7 +89,8 @@ impl<'a> Destination<'a> {
     }
 }
 
-fn open_folder(path: &Path) -> Result<Output, Failure> {
+/// Makes the folder if it is not there, and sees whether a file can be made in it.
+fn prepare(path: &Path) -> Result<(), Failure> {
     if !path.exists() {
         fs::create_dir(path).map_err(|error| {
             let path = one_line(&path.to_string_lossy());
@@ -102,11 +102,15 @@ fn open_folder(path: &Path) -> Result<Output, Failure> {
         let path = one_line(&path.to_string_lossy());
         return Err(Failure::BadInput(format!("--out {path}: is not a folder")));
     }
-    Output::open(Some(&path.join("report.txt")))
+    // It is gone again at once: whatever ends the work leaves nothing behind.
+    Output::open(Some(&path.join(REPORT))).map(drop)
 }
 
-/// Each table as CSV, each plot as SVG, and everything as JSON.
+/// The report as text, each table as CSV, each plot as SVG, and everything as JSON. All
+/// are written beside their places before the first takes its own: a full disk leaves
+/// what was there before.
 fn write_files(folder: &Path, report: &[Part]) -> Result<(), Failure> {
+    let text = (REPORT.to_owned(), in_words(report, WIDTH, true));
     let tables = report
         .iter()
         .filter_map(Part::table)
@@ -116,13 +120,14 @@ fn write_files(folder: &Path, report: &[Part]) -> Result<(), Failure> {
         .filter_map(Part::plot)
         .map(|p| (format!("{}.svg", p.name), p.svg()));
     let json = ("report.json".to_owned(), in_json(report));
-    for (name, text) in tables.chain(plots).chain([json]) {
+    let mut written = Vec::new();
+    for (name, text) in [text].into_iter().chain(tables).chain(plots).chain([json]) {
         let mut output = Output::open(Some(&folder.join(name)))?;
-        let written = output.write_all(text.as_bytes());
-        output.judge(written)?;
-        output.finish()?;
+        let result = output.write_all(text.as_bytes());
+        output.judge(result)?;
+        written.push(output);
     }
-    Ok(())
+    written.into_iter().try_for_each(Output::finish)
 }
 
 /// Columns of the terminal, or of a page.

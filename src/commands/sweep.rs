@@ -19,8 +19,8 @@ use std::thread;
 ///
 /// # Errors
 /// [`Failure::BadInput`] for arguments that make no sweep and files that are not its
-/// own, [`Failure::Failed`] when the file cannot be written or rows have no results,
-/// [`Failure::Interrupted`] after a signal.
+/// own or cannot be opened, [`Failure::Failed`] when writing fails on the way or rows
+/// have no results, [`Failure::Interrupted`] after a signal.
 pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     let sweep = prepare(args)?;
     let format = Format::of(&sweep, args);

@@ -51,7 +51,7 @@ impl RowsFile {
     ) -> Result<(Self, Before), Failure> {
         let name = one_line(&path.to_string_lossy());
         let refuse = |what: &str| Err(Failure::BadInput(format!("--out {name}: {what}")));
-        let unwritable = |error: io::Error| unwritable(&name, &error);
+        let unwritable = |error: io::Error| Failure::BadInput(unwritable(&name, &error));
         let found = path.metadata().ok();
         let regular = found.as_ref().is_none_or(std::fs::Metadata::is_file);
         if mode == Mode::New && found.is_some_and(|found| found.is_file()) {
@@ -131,16 +131,16 @@ impl RowsFile {
     }
 
     fn unwritable(&self, error: &io::Error) -> Failure {
-        unwritable(&self.name, error)
+        Failure::Failed(unwritable(&self.name, error))
     }
 }
 
-fn unwritable(name: &str, error: &io::Error) -> Failure {
+fn unwritable(name: &str, error: &io::Error) -> String {
     let reason = match error.kind() {
         ErrorKind::NotFound => "there is no such folder".to_owned(),
         _ => one_line(&error.to_string()),
     };
-    Failure::Failed(format!("--out {name}: cannot be written: {reason}"))
+    format!("--out {name}: cannot be written: {reason}")
 }
 
 /// The rows of a file that this sweep began, and where the last whole one ends; or

@@ -7,11 +7,19 @@ use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
 use crate::study::fit::median;
 use crate::study::plot::{Axis, Look, Plot, Series};
-use crate::study::table::{Column, Table};
+use crate::study::table::{Cell, Column, Table, significant};
 
 /// Periods that are drawn, and that are counted.
 const DRAWN: f64 = 10.0;
 const COUNTED: (f64, f64) = (60.0, 600.0);
+
+/// Periods whose states are drawn, and whose motion is kept.
+const STATES: f64 = 30.0;
+const KEPT: f64 = 60.0;
+
+/// E_r/E below which a column is condensed, and below which nothing is drawn.
+const CONDENSED: f64 = 1e-3;
+const LEAST_SHOWN: f64 = 1e-8;
 
 /// Looks in a period.
 const LOOKS: f64 = 200.0;
@@ -22,6 +30,7 @@ struct Sample {
     floor: f64,
     heights: Vec<f64>,
     shared: Option<f64>,
+    kinetic: f64,
     flight: Option<f64>,
     /// Distance of the top bead from where it is in a closed column, m.
     opened: f64,
@@ -63,6 +72,7 @@ fn samples(scene: &Scene, period: f64, periods: f64) -> Result<Vec<Sample>, Figu
             floor: seen.floor,
             heights: seen.reduced.clone(),
             shared: (energy.kinetic > 0.0).then(|| energy.relative / energy.kinetic),
+            kinetic: energy.kinetic,
             flight: seen.free_flight,
             opened: seen.gaps.iter().skip(1).map(|gap| gap.max(0.0)).sum(),
             crossing: seen.crossing,
@@ -71,20 +81,69 @@ fn samples(scene: &Scene, period: f64, periods: f64) -> Result<Vec<Sample>, Figu
     Ok(samples)
 }
 
-/// σ of every landing, in their order: the crossing time stays until the next landing.
-fn landings(samples: &[Sample], contact_time: f64) -> Vec<f64> {
-    let mut all: Vec<f64> = samples.iter().filter_map(|s| s.crossing).collect();
-    all.dedup();
-    all.into_iter().map(|time| time / contact_time).collect()
+/// A landing of the column on the plate.
+struct Landing {
+    time: f64,
+    /// Mean gap over the speed and t_c.
+    sigma: f64,
+    /// Mean E_r over mean E from here to the next landing.
+    after: Option<f64>,
+}
+
+/// Every landing in their order: the crossing time stays until the next landing.
+fn landings(samples: &[Sample], contact_time: f64) -> Vec<Landing> {
+    let mut all: Vec<Landing> = Vec::new();
+    let mut crossing = None;
+    let (mut relative, mut kinetic) = (0.0, 0.0);
+    let mean = |relative: f64, kinetic: f64| (kinetic > 0.0).then(|| relative / kinetic);
+    for sample in samples {
+        if sample.crossing != crossing {
+            if let Some(last) = all.last_mut() {
+                last.after = mean(relative, kinetic);
+            }
+            (relative, kinetic) = (0.0, 0.0);
+            crossing = sample.crossing;
+            all.extend(crossing.map(|crossing| Landing {
+                time: sample.time,
+                sigma: crossing / contact_time,
+                after: None,
+            }));
+        }
+        kinetic += sample.kinetic;
+        relative += sample.kinetic * sample.shared.unwrap_or(0.0);
+    }
+    // What comes after the last one is not seen to its end.
+    all
+}
+
+/// By what E_r/E changes at dense landings and at loose ones: medians.
+fn changes(landings: &[Landing]) -> (f64, f64) {
+    let of = |dense: bool| {
+        let pairs = landings.windows(2);
+        let some = pairs.filter(|pair| (pair[1].sigma < 1.0) == dense);
+        median(
+            &some
+                .filter_map(|pair| Some(pair[1].after? / pair[0].after?))
+                .collect::<Vec<_>>(),
+        )
+    };
+    (of(true), of(false))
 }
 
 fn parting(name: &str, scene: &Scene, period: f64, samples: &[Sample], sheet: &mut Sheet) {
     let contact_time = scene.contact_time().unwrap_or(f64::NAN);
-    let sigmas = landings(samples, contact_time);
-    let count = sigmas.len() as f64;
-    let dense = sigmas.iter().filter(|sigma| **sigma < 1.0).count() as f64 / count;
-    let turns = sigmas.windows(2).filter(|s| (s[0] < 1.0) != (s[1] < 1.0));
+    let landings = landings(samples, contact_time);
+    let count = landings.len() as f64;
+    let dense = landings.iter().filter(|l| l.sigma < 1.0).count() as f64 / count;
+    let turns = landings
+        .windows(2)
+        .filter(|l| (l[0].sigma < 1.0) != (l[1].sigma < 1.0));
     let turns = turns.count() as f64 / count;
+    let (at_dense, at_loose) = changes(&landings);
+    let condensed = samples
+        .iter()
+        .filter(|s| s.shared.is_some_and(|x| x < CONDENSED));
+    let condensed = condensed.count() as f64 / samples.len() as f64;
     let opened = samples.iter().map(|s| s.opened).fold(0.0_f64, f64::max) / scene.diameter;
     match name {
         "fig5a" => sheet.claims.extend([
@@ -98,6 +157,7 @@ fn parting(name: &str, scene: &Scene, period: f64, samples: &[Sample], sheet: &m
                 "measured by the mean gap at a landing few landings are dense: large gaps \
                  last, as the figure shows, and sigma is small only beside that of Fig. 5(b)",
             ),
+            Claim::most("time with E_r/E < 1e-3", "seldom", condensed, 0.05),
         ]),
         "fig5b" => sheet.claims.extend([
             Claim::least("landings with sigma < 1", "some", dense, 0.05),
@@ -108,18 +168,25 @@ fn parting(name: &str, scene: &Scene, period: f64, samples: &[Sample], sheet: &m
                 turns,
                 0.1,
             ),
+            Claim::least("time with E_r/E < 1e-3", "some", condensed, 0.05),
+            Claim::least("E_r/E at a dense landing, times", "grows", at_dense, 10.0),
+            Claim::most("E_r/E at a loose landing, times", "falls", at_loose, 1.0),
         ]),
         _ => {}
     }
     sheet
         .claims
         .push(Claim::least("widest opening over d", "large", opened, 1.0));
+    let sigmas: Vec<f64> = landings.iter().map(|l| l.sigma).collect();
     sheet.notes.push(format!(
-        "{count} landings in {:.0} periods, with a median sigma of {:.3}; sigma of a landing is the mean gap over the speed \
-         and t_c, as sigma_0 is of a launched column. The motion is chaotic: after some periods \
-         only what is counted can be compared, not the lines.",
+        "{count} landings in {:.0} periods, with a median sigma of {}; sigma of a landing is the \
+         mean gap over the speed and t_c, as sigma_0 is of a launched column. From before a landing \
+         to after it E_r/E changes by a factor of {} where sigma < 1, and of {} elsewhere (medians). The motion is \
+         chaotic: after some periods only what is counted can be compared, not the lines.",
         samples.last().map_or(0.0, |s| s.time / period),
-        median(&sigmas)
+        significant(median(&sigmas), 2),
+        significant(at_dense, 2),
+        significant(at_loose, 2),
     ));
 }
 
@@ -140,70 +207,103 @@ fn clustered(scene: &Scene, samples: &[Sample], sheet: &mut Sheet) {
     );
 }
 
+/// Names of the beads' columns; the presets have ten.
+const HEIGHTS: [&str; 10] = ["z1", "z2", "z3", "z4", "z5", "z6", "z7", "z8", "z9", "z10"];
+
 fn record(name: &str, scene: &Scene, period: f64, samples: &[Sample], sheet: &mut Sheet) {
     let short = &name[3..];
-    let mut data = Table::new(
-        name,
-        format!("Fig. {short}: a shaken column over time"),
-        [
-            Column::new("time", "", "s"),
-            Column::new("floor", "", "m"),
-            Column::new("z1", "", "m"),
-            Column::new("z_top", "", "m"),
-            Column::new("opened", "", "m"),
-            Column::new("er_over_e", "", ""),
-            Column::new("free_flight", "", "s"),
-            Column::new("sigma_landing", "", ""),
-        ],
-    );
-    data.facts = facts(scene, name);
-    let contact_time = scene.contact_time();
-    for sample in samples {
-        data.push([
-            sample.time.into(),
-            sample.floor.into(),
-            sample.heights.first().copied().into(),
-            sample.heights.last().copied().into(),
-            sample.opened.into(),
-            sample.shared.into(),
-            sample.flight.into(),
-            sample.crossing.zip(contact_time).map(|(c, t)| c / t).into(),
-        ]);
-    }
-    sheet.data.push(data);
-    let drawn = || samples.iter().take_while(|s| s.time <= DRAWN * period);
+    sheet.data.push(motion(name, scene, period, samples));
     let line = |get: &dyn Fn(&Sample) -> f64| -> Vec<(f64, f64)> {
-        drawn().map(|s| (s.time / period, 1e3 * get(s))).collect()
+        let drawn = samples.iter().take_while(|s| s.time <= DRAWN * period);
+        drawn.map(|s| (s.time / period, 1e3 * get(s))).collect()
     };
-    let mut series = vec![Series::new("plate", line(&|s| s.floor)).with(Look::Line)];
-    for bead in 0..scene.n {
-        let points = line(&|s| s.heights[bead]);
-        series.push(Series::new(format!("{}", bead + 1), points).with(Look::Line));
-    }
+    let mut series: Vec<Series> = (0..scene.n)
+        .map(|bead| Series::new(format!("{}", bead + 1), line(&|s| s.heights[bead])))
+        .collect();
+    series.push(Series::new("plate", line(&|s| s.floor)));
     sheet.plots.push(Plot {
         name: name.to_owned(),
         title: format!("Fig. {short}: reduced heights"),
         x: Axis::linear("t f (periods)"),
         y: Axis::linear("z_i (mm)"),
-        series,
+        series: series.into_iter().map(|s| s.with(Look::Line)).collect(),
     });
     if name == "fig6a" {
         return;
     }
-    let ratio = |get: &dyn Fn(&Sample) -> Option<f64>| -> Vec<(f64, f64)> {
-        let all = samples.iter();
-        all.filter_map(|s| Some((s.time / period, get(s)?)))
-            .collect()
-    };
-    let sigma = ratio(&|s| s.crossing.zip(contact_time).map(|(c, t)| c / t));
+    let contact_time = scene.contact_time().unwrap_or(f64::NAN);
+    let landings = landings(samples, contact_time);
+    let drawn = landings.iter().take_while(|l| l.time <= STATES * period);
+    let sigma = drawn.map(|l| (l.time / period, l.sigma.max(LEAST_SHOWN)));
+    let shared = samples.iter().take_while(|s| s.time <= STATES * period);
+    let shared = shared.filter_map(|s| Some((s.time / period, s.shared?.max(LEAST_SHOWN))));
     sheet.plots.push(Plot {
         name: format!("{name}-sigma"),
-        title: format!("Fig. {short}: E_r/E and σ of the last landing"),
+        title: format!("Fig. {short}: E_r/E, and σ of each landing"),
         x: Axis::linear("t f (periods)"),
         y: Axis::log("E_r/E, σ"),
         series: vec![
-            Series::new("σ", sigma).with(Look::Line),
-            Series::new("E_r/E", ratio(&|s| s.shared)).with(Look::Line),
+            Series::new("E_r/E", shared.collect()).with(Look::Line),
+            Series::new("σ of a landing", sigma.collect()).with(Look::Points),
         ],
     });
+    sheet.data.push(states(name, scene, &landings));
+}
+
+/// The first periods, with all beads.
+fn motion(name: &str, scene: &Scene, period: f64, samples: &[Sample]) -> Table {
+    let mut columns = vec![Column::new("time", "", "s"), Column::new("floor", "", "m")];
+    columns.extend(
+        HEIGHTS
+            .iter()
+            .take(scene.n)
+            .map(|z| Column::new(z, "", "m")),
+    );
+    columns.extend([
+        Column::new("opened", "", "m"),
+        Column::new("er_over_e", "", ""),
+        Column::new("free_flight", "", "s"),
+    ]);
+    let title = format!("Fig. {}: a shaken column over time", &name[3..]);
+    let mut data = Table::new(name, title, columns);
+    data.facts = facts(scene, name);
+    for sample in samples.iter().take_while(|s| s.time <= KEPT * period) {
+        let mut row: Vec<Cell> = vec![sample.time.into(), sample.floor.into()];
+        row.extend(sample.heights.iter().map(|&z| Cell::from(z)));
+        row.extend([
+            sample.opened.into(),
+            sample.shared.into(),
+            sample.flight.into(),
+        ]);
+        data.push(row);
+    }
+    data
+}
+
+/// All landings.
+fn states(name: &str, scene: &Scene, landings: &[Landing]) -> Table {
+    let title = format!(
+        "Fig. {}: all landings, and the motion after each",
+        &name[3..]
+    );
+    let columns = [
+        Column::new("time", "", "s"),
+        Column::new("sigma", "", ""),
+        Column::new("er_over_e_after", "", ""),
+    ];
+    let mut data = Table::new(format!("{name}-landings"), title, columns);
+    data.facts = facts(scene, name);
+    data.notes.push(
+        "sigma: mean gap at the landing over speed and t_c; er_over_e_after: mean E_r over mean \
+         E from there to the next landing."
+            .to_owned(),
+    );
+    for landing in landings {
+        data.push([
+            landing.time.into(),
+            landing.sigma.into(),
+            landing.after.into(),
+        ]);
+    }
+    data
 }

@@ -97,8 +97,9 @@ fn series(svg: &mut String, plot: &Plot, k: usize, (x, y): (Bounds, Bounds)) {
             .collect();
         let _ = writeln!(
             svg,
-            "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\"/>",
-            line.join(" ")
+            "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\"{}/>",
+            line.join(" "),
+            dashes(k)
         );
     }
     if series.look != Look::Line {
@@ -107,6 +108,15 @@ fn series(svg: &mut String, plot: &Plot, k: usize, (x, y): (Bounds, Bounds)) {
         }
     }
     svg.push_str("</g>\n");
+}
+
+/// Lines whose colour was there before are dashed.
+fn dashes(k: usize) -> &'static str {
+    match k / COLOURS.len() {
+        0 => "",
+        1 => " stroke-dasharray=\"9 4\"",
+        _ => " stroke-dasharray=\"2 4\"",
+    }
 }
 
 /// A marker that differs in shape and colour from its neighbours in the legend.
@@ -123,7 +133,7 @@ fn marker(svg: &mut String, k: usize, (x, y): (f64, f64)) {
     let fill = if k % 6 == 4 { "none" } else { colour };
     let _ = writeln!(
         svg,
-        "<path transform=\"translate({x:.1} {y:.1})\" d=\"{shape}\" fill=\"{fill}\" stroke=\"{colour}\" stroke-width=\"2\"/>"
+        "<path transform=\"translate({x:.1} {y:.1})\" d=\"{shape}\" fill=\"{fill}\" fill-opacity=\"0.4\" stroke=\"{colour}\" stroke-width=\"2\"/>"
     );
 }
 
@@ -135,8 +145,9 @@ fn legend(svg: &mut String, plot: &Plot) {
         if series.look != Look::Points {
             let _ = writeln!(
                 svg,
-                "<path d=\"M{:.1} {y:.1}h28\" stroke=\"{colour}\" stroke-width=\"2\"/>",
-                x - 14.0
+                "<path d=\"M{:.1} {y:.1}h28\" stroke=\"{colour}\" stroke-width=\"2\"{}/>",
+                x - 14.0,
+                dashes(k)
             );
         }
         if series.look != Look::Line {
