@@ -15,7 +15,7 @@ pub use scale::Scale;
 
 use std::time::{Duration, Instant};
 
-use super::layout::{self, Contents};
+use super::layout::{self, Contents, Lattice};
 use super::theme::Theme;
 use crate::live::{Accuracy, Frame, History, Order, Side, Status, Sweep};
 use crate::scene::{Preset, Scene};
@@ -270,14 +270,17 @@ impl Model {
     pub(super) fn contents(&self) -> Contents {
         let notices = self.notices();
         Contents {
-            sides: self.bench.scenes().len(),
             notices: u16::try_from(notices.len()).unwrap_or(u16::MAX),
             errors: notices.iter().any(|n| matches!(n, Notice::Error { .. })),
+            ..contents(self.bench.scenes())
         }
     }
 
-    /// The name of a column: MD or ED.
+    /// The name of a column: MD or ED; of a lattice and the column beside it, 2D and 1D.
     pub fn label(&self, index: usize) -> &'static str {
+        if self.bench.is_lattice() {
+            return if index == 0 { "2D" } else { "1D" };
+        }
         match self.bench.scenes().get(index) {
             Some(scene) if !scene.is_md() => "ED",
             _ => "MD",
@@ -334,9 +337,22 @@ impl Glimpse {
     }
 }
 
+/// What these scenes take room for.
+fn contents(scenes: &[Scene]) -> Contents {
+    let sites = scenes.first().and_then(|scene| scene.sites());
+    Contents {
+        sides: scenes.len(),
+        lattice: sites.map(|sites| Lattice {
+            rows: sites.rows,
+            columns: sites.columns,
+        }),
+        ..Contents::default()
+    }
+}
+
 /// The page of these scenes on a screen of that size.
 fn sweep(scenes: &[Scene], size: (u16, u16), origin: f64) -> Sweep {
-    let cells = layout::trace_width(size, scenes.len());
+    let cells = layout::trace_width(size, contents(scenes));
     Sweep {
         origin,
         span: pace::span(scenes, cells),
