@@ -101,8 +101,9 @@ fn discs_width(body: Rect, lattice: Lattice) -> u16 {
 
 fn place_panels(panels: &mut Panels, area: Rect) {
     let spare = area.width.saturating_sub(SIGMA + PARAMETERS);
-    let sigma = (SIGMA + spare / 2).min(SIGMA + 20).min(area.width);
-    let parameters = area.width.saturating_sub(sigma + 1);
+    let most = PARAMETERS + (spare / 2).min(12);
+    let parameters = most.min(area.width.saturating_sub(SIGMA + 1));
+    let sigma = area.width - parameters - 1;
     panels.sigma = Rect {
         width: sigma,
         ..area

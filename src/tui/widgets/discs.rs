@@ -188,7 +188,8 @@ fn stamp(places: &[Place], drawing: &Drawing, style: Style, raster: &mut Raster)
 fn spell(places: &[Place], drawing: &Drawing, style: Style, area: Rect, buffer: &mut Buffer) {
     for place in places {
         let middle = place.left + drawing.disc / 2;
-        let x = (middle.rem_euclid(drawing.period) + drawing.margin) / 2;
+        let dot = middle.rem_euclid(drawing.period) + drawing.margin;
+        let x = dot / 2;
         let y = (place.top + drawing.disc / 2).div_euclid(4);
         let (Ok(x), Ok(y)) = (u16::try_from(x), u16::try_from(y)) else {
             continue;
