@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crate::physics::Observation;
+use crate::physics::{Discs, Observation};
 
 /// Lines that a trace can show; taller columns show every k-th bead.
 const LINES: usize = 64;
@@ -41,15 +41,17 @@ pub struct History {
 }
 
 impl Row {
-    /// The row of one observation and the error known of it, its beads thinned to the lines of a trace.
+    /// The row of one observation and the error known of it, its beads thinned to the lines
+    /// of a trace; a row of a lattice has one line.
     pub fn of(seen: &Observation, error: Option<f64>) -> Row {
         #[expect(clippy::cast_possible_truncation, reason = "drawn, not computed with")]
         let single = |x: f64| x as f32;
-        let stride = stride(seen.reduced.len());
+        let means = seen.discs.as_ref().map(|discs| means(seen, discs));
+        let heights = means.as_ref().unwrap_or(&seen.reduced);
+        let stride = stride(heights.len());
         Row {
             floor: single(seen.floor),
-            reduced: seen
-                .reduced
+            reduced: heights
                 .iter()
                 .rev()
                 .step_by(stride)
@@ -61,6 +63,13 @@ impl Row {
             error,
         }
     }
+}
+
+/// Mean reduced heights of the rows of a lattice, m.
+fn means(seen: &Observation, discs: &Discs) -> Vec<f64> {
+    let rows = seen.reduced.chunks(discs.columns.max(1));
+    rows.map(|row| row.iter().sum::<f64>() / row.len() as f64)
+        .collect()
 }
 
 /// Every how many-th bead of a column of `beads` has a line.

@@ -138,7 +138,11 @@ impl Runner {
     }
 
     fn label(&self) -> &'static str {
-        if self.scene.is_md() { "MD" } else { "ED" }
+        match self.scene.is_md() {
+            _ if self.scene.sites().is_some() => "2D",
+            true => "MD",
+            false => "ED",
+        }
     }
 
     fn fail(&mut self, why: &str) {

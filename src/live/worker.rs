@@ -165,12 +165,17 @@ impl Worker {
     /// failed column takes the state of its twin; when there is none, all start anew.
     fn edit(&mut self, scenes: Vec<Scene>, from: &[usize]) {
         let states: Vec<Option<State>> = self.runners.iter_mut().map(Runner::state).collect();
-        let beads: Vec<usize> = self.runners.iter().map(|runner| runner.scene().n).collect();
+        let shape = |scene: &Scene| (scene.n, scene.sites().is_some());
+        let shapes: Vec<_> = self
+            .runners
+            .iter()
+            .map(|runner| shape(runner.scene()))
+            .collect();
         let fits = |scene: &Scene, index: usize| {
             states
                 .get(index)?
                 .as_ref()
-                .filter(|_| beads.get(index) == Some(&scene.n))
+                .filter(|_| shapes.get(index) == Some(&shape(scene)))
         };
         let sources: Option<Vec<&State>> = scenes
             .iter()

@@ -70,6 +70,8 @@ pub struct Observation {
 /// The beads of a lattice in their plane, which repeats itself across.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Discs {
+    /// Beads in a row: bead i stood in row i / columns.
+    pub columns: usize,
     /// Width L after which everything repeats, m.
     pub period: f64,
     /// Diameter of all beads, m.

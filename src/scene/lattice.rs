@@ -1,7 +1,7 @@
 //! The lattice of Sec. IV C: where the beads of a plane belong, and where they start.
 
 use super::start::uniform;
-use super::{Arrangement, Facts, Start};
+use super::{Arrangement, Facts, Scene, SceneError, Start};
 
 /// Stream of the scene's seed that shifts the beads of a lattice.
 const SHIFTS: u64 = 2;
@@ -53,6 +53,22 @@ impl Facts {
             diameter: self.diameter,
             separation,
         })
+    }
+}
+
+impl Scene {
+    /// The column that is as high as the lattice, all else being alike: what Fig. 4 shows
+    /// beside it. None beside columns.
+    ///
+    /// # Errors
+    /// When there can be no such column.
+    pub fn column_as_high(&self) -> Option<Result<Scene, SceneError>> {
+        let rows = self.sites()?.rows;
+        Some(Scene::new(Facts {
+            arrangement: Arrangement::Column,
+            n: rows,
+            ..self.facts().clone()
+        }))
     }
 }
 

@@ -16,9 +16,16 @@
 //!  keys
 //! ```
 //!
-//! Small screens lose the panels first, then everything but the traces, then these.
+//! Small screens lose the panels first, then everything but the traces, then these. What
+//! shows a lattice is another picture: see [`plane`].
+
+mod plane;
+#[cfg(test)]
+mod tests;
 
 use ratatui::layout::Rect;
+
+pub use plane::{ROW, SHARE};
 
 /// Columns of the vertical axis.
 const AXIS: u16 = 6;
@@ -54,6 +61,17 @@ pub struct Contents {
     pub notices: u16,
     /// Whether there are histories of their errors.
     pub errors: bool,
+    /// The lattice on the left, where there is one.
+    pub lattice: Option<Lattice>,
+}
+
+/// How many discs there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Lattice {
+    /// Above one another.
+    pub rows: usize,
+    /// Side by side.
+    pub columns: usize,
 }
 
 /// The panels below the traces.
@@ -78,6 +96,10 @@ pub struct Layout {
     pub header: Rect,
     /// The rule over the traces.
     pub upper_rule: Rect,
+    /// The discs of a lattice; of a lattice only.
+    pub discs: Rect,
+    /// The rule over histories that stand beside the discs.
+    pub strips_rule: Rect,
     /// The vertical axis, common to all traces.
     pub axis: Rect,
     /// One or two columns of beads.
@@ -147,6 +169,10 @@ pub fn layout((width, height): (u16, u16), contents: Contents) -> Layout {
     if width >= 60 && height >= 29 + text {
         layout.text = rows.bottom(text);
     }
+    if let Some(lattice) = contents.lattice {
+        plane::place(&mut layout, rows, height, lattice, contents.sides);
+        return layout;
+    }
     if height >= 18 && width >= 60 {
         let panels = rows.bottom(panel_height(height));
         layout.lower_rule = rows.bottom(1);
@@ -165,11 +191,7 @@ pub fn layout((width, height): (u16, u16), contents: Contents) -> Layout {
 }
 
 /// Width of a trace on such a screen, cells.
-pub fn trace_width(size: (u16, u16), sides: usize) -> u16 {
-    let contents = Contents {
-        sides,
-        ..Contents::default()
-    };
+pub fn trace_width(size: (u16, u16), contents: Contents) -> u16 {
     layout(size, contents)
         .panes
         .first()
@@ -250,135 +272,45 @@ fn place_panes(layout: &mut Layout, area: Rect, time: Rect, sides: usize) {
     for k in 0..count {
         let x = area.x + axis + k * (width + 1);
         let column = column_width(width, area.height);
+        layout.place_pane(Rect { x, width, ..area }, column, time);
+    }
+}
+
+impl Layout {
+    /// A pane whose rightmost columns show the beads now.
+    fn place_pane(&mut self, pane: Rect, column: u16, time: Rect) {
         let gap = u16::from(column > 0);
         let trace = Rect {
-            x,
-            width: width - column - gap,
-            ..area
+            width: pane.width - column - gap,
+            ..pane
         };
         // The title of the first pane begins over the axis.
-        let start = if k == 0 { area.x } else { x };
-        layout.panes.push(Pane {
+        let start = if self.panes.is_empty() {
+            self.axis.x
+        } else {
+            pane.x
+        };
+        self.panes.push(Pane {
             title: Rect {
                 x: start,
-                width: x + width - start,
-                ..layout.upper_rule
+                width: pane.right() - start,
+                ..self.upper_rule
             },
             trace,
             column: Rect {
                 x: trace.right() + gap,
                 width: column,
-                ..area
+                ..pane
             },
             time: if time.is_empty() {
                 time
             } else {
-                Rect { x, width, ..time }
+                Rect {
+                    x: pane.x,
+                    width: pane.width,
+                    ..time
+                }
             },
         });
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn columns(sides: usize) -> Contents {
-        Contents {
-            sides,
-            ..Contents::default()
-        }
-    }
-
-    fn all(layout: &Layout) -> Vec<Rect> {
-        let mut rects = vec![
-            layout.header,
-            layout.upper_rule,
-            layout.axis,
-            layout.lower_rule,
-        ];
-        rects.extend([layout.text, layout.notices, layout.message, layout.keys]);
-        let Panels {
-            energy,
-            relative,
-            errors,
-            sigma,
-            parameters,
-        } = layout.panels;
-        rects.extend([energy, relative, errors, sigma, parameters]);
-        for pane in &layout.panes {
-            rects.extend([pane.trace, pane.column, pane.time]);
-        }
-        rects
-    }
-
-    #[test]
-    fn nothing_overlaps_and_nothing_leaves_the_screen() {
-        for (width, height) in (1..130).flat_map(|w| (1..60).map(move |h| (w, h))) {
-            for (sides, notices) in [(1, 0), (2, 0), (1, 1), (2, 3)] {
-                let contents = Contents {
-                    sides,
-                    notices,
-                    errors: notices > 0,
-                };
-                let rects = all(&layout((width, height), contents));
-                for (k, a) in rects.iter().enumerate().filter(|(_, a)| !a.is_empty()) {
-                    assert!(
-                        a.right() <= width && a.bottom() <= height,
-                        "{width}x{height}: {a}"
-                    );
-                    for b in rects[k + 1..].iter().filter(|b| !b.is_empty()) {
-                        assert!(!a.intersects(*b), "{width}x{height}: {a} and {b}");
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn everything_needed_to_teach_fits_80_by_24() {
-        let layout = layout((80, 24), columns(2));
-        assert_eq!(layout.panes.len(), 2);
-        assert!(
-            layout
-                .panes
-                .iter()
-                .all(|pane| pane.trace.width >= 29 && pane.trace.height >= 11)
-        );
-        assert!(layout.panes.iter().all(|pane| pane.column.width >= 5));
-        let Panels {
-            energy,
-            relative,
-            errors,
-            sigma,
-            parameters,
-        } = layout.panels;
-        assert!(errors.is_empty());
-        assert!(
-            [energy, relative, sigma, parameters]
-                .iter()
-                .all(|rect| rect.height == 7)
-        );
-    }
-
-    #[test]
-    fn a_single_column_has_the_whole_width() {
-        assert!(layout((80, 24), columns(1)).panes[0].trace.width >= 60);
-    }
-
-    #[test]
-    fn what_is_not_asked_for_takes_no_room() {
-        let plain = layout((120, 40), columns(2));
-        assert!(plain.notices.is_empty() && plain.panels.errors.is_empty());
-        let asked = layout(
-            (120, 40),
-            Contents {
-                notices: 1,
-                errors: true,
-                ..columns(2)
-            },
-        );
-        assert_eq!(asked.notices.height, 1);
-        assert!(asked.panels.errors.width >= 15);
     }
 }

@@ -15,7 +15,7 @@ pub use scale::Scale;
 
 use std::time::{Duration, Instant};
 
-use super::layout::{self, Contents};
+use super::layout::{self, Contents, Lattice};
 use super::theme::Theme;
 use crate::live::{Accuracy, Frame, History, Order, Side, Status, Sweep};
 use crate::scene::{Preset, Scene};
@@ -24,6 +24,8 @@ use crate::scene::{Preset, Scene};
 const NUMBERS: Duration = Duration::from_millis(200);
 /// The beads of the column now are drawn this often.
 const COLUMN: Duration = Duration::from_millis(100);
+/// Discs on no more cells than this are drawn as often.
+const FEW_CELLS: u32 = 520;
 /// A message stays for this long, or until a key.
 const MESSAGE: Duration = Duration::from_secs(8);
 
@@ -70,7 +72,11 @@ pub enum Notice {
 
 /// The row of the parameter panel selected at first: the restitution, which every scene
 /// has and which changes without a restart.
-const FIRST_ROW: usize = 1;
+fn first_row(bench: &Bench) -> usize {
+    let rows = bench.parameters();
+    let found = rows.iter().position(|row| row.name == "restitution");
+    found.unwrap_or(0)
+}
 
 /// Everything that the screen shows.
 #[derive(Debug)]
@@ -106,6 +112,8 @@ pub struct Model {
     /// Width and height of the screen, cells.
     pub size: (u16, u16),
     pub(super) generation: u64,
+    /// The speed that suits the scenes as they were last started.
+    fitting: Speed,
 }
 
 impl Model {
@@ -121,12 +129,11 @@ impl Model {
     ) -> Result<(Model, Order), String> {
         let bench = Bench::new(&preset)?;
         let sweep = sweep(bench.scenes(), size, 0.0);
-        let speed = speed.map_or_else(
-            || pace::first_speed(bench.scenes(), sweep.span),
-            Speed::nearest,
-        );
+        let fitting = pace::first_speed(bench.scenes(), sweep.span);
+        let speed = speed.map_or(fitting, Speed::nearest);
         let model = Model {
             page: Page::new(sweep, bench.scenes()),
+            selected: first_row(&bench),
             preset,
             bench,
             speed,
@@ -136,12 +143,12 @@ impl Model {
             shadow: false,
             numbers: Glimpse::default(),
             column: Glimpse::default(),
-            selected: FIRST_ROW,
             overlay: Overlay::None,
             message: None,
             theme,
             size,
             generation: 0,
+            fitting,
         };
         let mut model = model;
         let order = model.start(true);
@@ -156,6 +163,11 @@ impl Model {
         self.held = false;
         self.paused = !running;
         let sweep = sweep(self.bench.scenes(), self.size, 0.0);
+        // A speed that somebody chose stays.
+        let fitting = pace::first_speed(self.bench.scenes(), sweep.span);
+        if self.speed == std::mem::replace(&mut self.fitting, fitting) {
+            self.speed = fitting;
+        }
         self.page = Page::new(sweep, self.bench.scenes());
         (self.numbers, self.column) = (Glimpse::default(), Glimpse::default());
         Order::Load {
@@ -172,9 +184,8 @@ impl Model {
     pub(super) fn load(&mut self, preset: Preset) -> Result<Order, String> {
         self.bench = Bench::new(&preset)?;
         self.preset = preset;
-        self.selected = FIRST_ROW;
-        let span = sweep(self.bench.scenes(), self.size, 0.0).span;
-        self.speed = pace::first_speed(self.bench.scenes(), span);
+        self.selected = first_row(&self.bench);
+        self.speed = self.fitting;
         Ok(self.start(true))
     }
 
@@ -196,7 +207,7 @@ impl Model {
             self.say(frame.notes.join("; "), frame.sides.iter().any(failed), now);
         }
         self.expire_message(now);
-        self.column.refresh(&frame, COLUMN, still, now);
+        self.column.refresh(&frame, self.look(), still, now);
         self.numbers.refresh(&frame, NUMBERS, still, now);
         self.fit_page(turned, false)
     }
@@ -225,6 +236,14 @@ impl Model {
         }
         self.page.set_sweep(wanted);
         Some(Order::Sweep(wanted))
+    }
+
+    /// How often the beads now are drawn: many large discs less often than small ones, for
+    /// the sake of the link.
+    fn look(&self) -> Duration {
+        let discs = layout::layout(self.size, self.contents()).discs;
+        let larger = f64::from(discs.area()) / f64::from(FEW_CELLS);
+        COLUMN.mul_f64(larger.sqrt().max(1.0))
     }
 
     /// Shows a line for a while.
@@ -270,14 +289,17 @@ impl Model {
     pub(super) fn contents(&self) -> Contents {
         let notices = self.notices();
         Contents {
-            sides: self.bench.scenes().len(),
             notices: u16::try_from(notices.len()).unwrap_or(u16::MAX),
             errors: notices.iter().any(|n| matches!(n, Notice::Error { .. })),
+            ..contents(self.bench.scenes())
         }
     }
 
-    /// The name of a column: MD or ED.
+    /// The name of a column: MD or ED; of a lattice and the column beside it, 2D and 1D.
     pub fn label(&self, index: usize) -> &'static str {
+        if self.bench.is_lattice() {
+            return if index == 0 { "2D" } else { "1D" };
+        }
         match self.bench.scenes().get(index) {
             Some(scene) if !scene.is_md() => "ED",
             _ => "MD",
@@ -334,9 +356,22 @@ impl Glimpse {
     }
 }
 
+/// What these scenes take room for.
+fn contents(scenes: &[Scene]) -> Contents {
+    let sites = scenes.first().and_then(|scene| scene.sites());
+    Contents {
+        sides: scenes.len(),
+        lattice: sites.map(|sites| Lattice {
+            rows: sites.rows,
+            columns: sites.columns,
+        }),
+        ..Contents::default()
+    }
+}
+
 /// The page of these scenes on a screen of that size.
 fn sweep(scenes: &[Scene], size: (u16, u16), origin: f64) -> Sweep {
-    let cells = layout::trace_width(size, scenes.len());
+    let cells = layout::trace_width(size, contents(scenes));
     Sweep {
         origin,
         span: pace::span(scenes, cells),

@@ -394,7 +394,7 @@ fn changed(model: &mut Model, change: Change, now: Instant) -> Command {
         },
         Change::Restart => {
             model.say(
-                "this parameter acts from the start: started again from t = 0",
+                "this acts from the start: started again from t = 0",
                 false,
                 now,
             );

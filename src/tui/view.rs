@@ -8,6 +8,7 @@ use super::layout::{Layout, Pane, layout};
 use super::model::{Model, Overlay};
 use super::numbers;
 use super::widgets::beads::Beads;
+use super::widgets::discs::Plane;
 use super::widgets::strip::Quantity;
 use super::widgets::text::{columns, fitted, line};
 use super::widgets::trace::Trace;
@@ -31,6 +32,7 @@ pub fn view(model: &Model, frame: &mut Frame) {
         Overlay::None | Overlay::Prompt(_) => {
             header::render(model, layout.header, buffer);
             draw_rules(model, &layout, buffer);
+            draw_discs(model, &layout, buffer);
             draw_panes(model, &layout, buffer);
             draw_panels(model, &layout, buffer);
             accuracy::render_notices(model, layout.notices, buffer);
@@ -45,13 +47,16 @@ pub fn view(model: &Model, frame: &mut Frame) {
 
 fn draw_rules(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     let theme = model.theme;
-    for rule in [layout.upper_rule, layout.lower_rule]
-        .into_iter()
-        .filter(|rule| !rule.is_empty())
-    {
+    let across = [layout.upper_rule, layout.lower_rule, layout.strips_rule];
+    for rule in across.into_iter().filter(|rule| !rule.is_empty()) {
         rules::horizontal(theme, rule, buffer);
     }
+    let discs = layout.discs;
+    if !layout.panes.is_empty() && !discs.is_empty() {
+        rules::vertical(theme, discs.right(), discs.y..discs.bottom(), buffer);
+    }
     let panels = [
+        layout.panels.energy,
         layout.panels.relative,
         layout.panels.errors,
         layout.panels.sigma,
@@ -67,6 +72,35 @@ fn draw_rules(model: &Model, layout: &Layout, buffer: &mut Buffer) {
         let bottom = second.trace.bottom() + second.time.height;
         rules::vertical(theme, second.trace.x - 1, second.trace.y..bottom, buffer);
     }
+    for rule in across.into_iter().filter(|rule| rule.x > 0) {
+        rules::branch(theme, rule.x - 1, rule.y, buffer);
+    }
+}
+
+/// The discs of a lattice, where the left scene is one.
+fn draw_discs(model: &Model, layout: &Layout, buffer: &mut Buffer) {
+    let (area, scene) = (layout.discs, &model.bench.scenes()[0]);
+    let (Some(sites), Some(side)) = (scene.sites(), model.column.sides.first()) else {
+        return;
+    };
+    if area.is_empty() {
+        return;
+    }
+    let above = Rect {
+        width: area.width,
+        ..layout.upper_rule
+    };
+    let title = format!("{} discs", sites.count());
+    rules::title(model.theme, &title, above, buffer);
+    Plane {
+        side,
+        sites,
+        scale: &model.page.scale,
+        // Where there are no traces it is said here.
+        tells_failure: layout.panes.is_empty(),
+        theme: model.theme,
+    }
+    .render(area, buffer);
 }
 
 fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {

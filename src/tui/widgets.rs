@@ -3,6 +3,7 @@
 pub mod accuracy;
 pub mod beads;
 pub mod details;
+pub mod discs;
 pub mod footer;
 pub mod header;
 pub mod help;

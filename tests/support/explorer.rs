@@ -67,8 +67,19 @@ pub fn play(
     build: Build,
     script: Vec<Act>,
 ) -> Vec<String> {
+    play_preset(preset(name), theme, size, build, script)
+}
+
+/// The same with a preset of the test's own.
+pub fn play_preset(
+    preset: Preset,
+    theme: Theme,
+    size: (u16, u16),
+    build: Build,
+    script: Vec<Act>,
+) -> Vec<String> {
     let (mut model, start) =
-        Model::new(preset(name), None, theme, size).expect("the preset has its twin");
+        Model::new(preset, None, theme, size).expect("the preset has its twin");
     let live = live::spawn(build).expect("threads are to be had");
     live.orders
         .send(start)

@@ -138,6 +138,7 @@ impl View<'_> {
     fn draw(&self, discs: &mut Discs) {
         let (n, sites) = (self.n(), self.sites);
         let (across, up) = self.places.split_at(n);
+        discs.columns = sites.columns;
         discs.period = sites.period();
         discs.diameter = sites.diameter;
         discs.x.clear();

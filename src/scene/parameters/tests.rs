@@ -1,3 +1,6 @@
+mod laws;
+mod typing;
+
 use super::*;
 use crate::scene::validate::example;
 use crate::scene::{Arrangement, Floor, MethodName, Scene, Start};
@@ -252,75 +255,6 @@ fn a_parameter_that_the_scene_lacks_is_refused() {
 }
 
 #[test]
-fn a_power_law_replaces_what_the_linear_law_has() {
-    for method in MethodName::ALL {
-        let Ok(scene) = example_scene().with_method(method) else {
-            panic!("every method has a scene")
-        };
-        let edited = layered(&scene, &[("law", "hertz")]);
-        if method == MethodName::Ed {
-            assert_eq!(edited.expect_err("hard").parameter(), "law");
-            continue;
-        }
-        let hertz = edited.expect("a working scene");
-        assert_eq!(hertz.method.name(), method);
-        let has = |name: &str| (find(name).expect("a row").get)(&hertz).is_some();
-        for name in ["stiffness", "damping", "attraction"] {
-            assert!(has(name), "{name}");
-        }
-        for name in ["restitution", "contact_time", "beta", "gamma"] {
-            assert!(!has(name), "{name}");
-        }
-        assert_eq!(has("tolerance"), method == MethodName::Exact);
-        // The column's own t_c and ε stay near those of the linear law that it replaces,
-        // and the hard twin has them.
-        let contact_time = hertz.contact_time().expect("soft");
-        assert!((contact_time / 7e-6 - 1.0).abs() < 0.1, "{contact_time}");
-        assert!((hertz.restitution - 0.9).abs() < 0.02);
-        let hard = hertz.with_method(MethodName::Ed).expect("a hard twin");
-        assert_eq!(hard.restitution, hertz.restitution);
-        // There and back again.
-        let back = layered(&hertz, &[("law", "hooke")]).expect("linear");
-        assert_eq!(back.method.name(), method);
-        assert!((back.restitution - 0.9).abs() < 1e-10);
-        assert!((back.contact_time().expect("soft") / 7e-6 - 1.0).abs() < 1e-10);
-    }
-}
-
-#[test]
-fn stiffness_and_damping_override_what_a_change_of_law_chooses() {
-    let settings = [("damping", "2e3"), ("stiffness", "2e12"), ("law", "hertz")];
-    let scene = layered(&example_scene(), &settings).expect("a power law");
-    let Some(crate::scene::Law::Power(law)) = scene.law() else {
-        panic!("a power law")
-    };
-    assert_eq!((law.stiffness, law.damping), (2e12, 2e3));
-    // A stiffness that belongs to another law is refused with the time it gives.
-    let settings = [("law", "hertz"), ("stiffness", "1e-9")];
-    let error = layered(&example_scene(), &settings).expect_err("too soft");
-    assert_eq!(error.parameter(), "stiffness");
-    assert!(error.to_string().contains("last"), "{error}");
-}
-
-#[test]
-fn free_exponents_keep_the_collision_alike() {
-    let scene = layered(&example_scene(), &[("law", "power")]).expect("a power law");
-    let before = scene.contact_time().expect("soft");
-    assert!((scene.restitution - 0.9).abs() < 1e-9);
-    for (name, value) in [("beta", "0.5"), ("gamma", "1.25"), ("beta", "3")] {
-        let edited = layered(&scene, &[(name, value)]).expect("in range");
-        let after = edited.contact_time().expect("soft");
-        // I(β) falls from π to 2 as β grows; the depth stays.
-        assert!(after / before > 2.0 / 3.2 && after / before <= 1.0 + 1e-10);
-        assert!(
-            (edited.restitution - 0.9).abs() < 0.1,
-            "{}",
-            edited.restitution
-        );
-    }
-}
-
-#[test]
 fn alpha_uses_the_frequency_of_its_layer_in_any_order() {
     let one = layered(&shaken(), &[("alpha", "3"), ("frequency", "40")]).expect("in range");
     let two = layered(&shaken(), &[("frequency", "40"), ("alpha", "3")]).expect("in range");
@@ -364,82 +298,6 @@ fn the_tc_rule_asks_for_its_contact_time() {
     );
     let timed = layered(&hard, &[("contact_time", "1e-5"), ("rule", "tc")]).expect("complete");
     assert_eq!(timed.contact_time(), Some(1e-5));
-}
-
-#[test]
-fn values_read_as_people_write_them() {
-    for (name, value, expected, ascii) in [
-        ("contact_time", 7e-6, "7.0 µs", "7.0 us"),
-        ("contact_time", 0.7e-3, "700 µs", "700 us"),
-        ("amplitude", 1.24e-3, "1.24 mm", "1.24 mm"),
-        ("frequency", 20.0, "20 Hz", "20 Hz"),
-        ("frequency", 1500.0, "1.5 kHz", "1.5 kHz"),
-        ("restitution", 0.6, "0.60", "0.60"),
-        ("restitution", 0.975, "0.975", "0.975"),
-        ("restitution", 1.0, "1.0", "1.0"),
-        ("restitution", 1e-5, "1.0e-5", "1.0e-5"),
-        ("alpha", 1.996_04, "1.996", "1.996"),
-        ("v0", -0.2, "-0.20 m/s", "-0.20 m/s"),
-        ("gravity", 9.81, "9.81 m/s²", "9.81 m/s^2"),
-        ("s0", 0.0, "0 m", "0 m"),
-        ("s0", 9.9999e-7, "1.0 µm", "1.0 um"),
-        ("duration", 2500.0, "2500 s", "2500 s"),
-        ("steps_per_contact", 100.0, "100", "100"),
-    ] {
-        let parameter = find(name).expect("a row");
-        assert_eq!(display(parameter, Value::Number(value)), expected);
-        assert_eq!(display_ascii(parameter, Value::Number(value)), ascii);
-    }
-}
-
-#[test]
-fn what_is_shown_exactly_can_be_typed_back() {
-    let parameter = find("contact_time").expect("a row");
-    for x in [0.7e-5, 1e-12, 123.456, 1.0 / 3.0] {
-        let typed = Value::Number(x).to_string();
-        assert_eq!(parse(parameter, &typed), Ok(Value::Number(x)));
-    }
-}
-
-#[test]
-fn key_presses_move_by_steps_and_stop_at_the_ends() {
-    let press = |name: &str, from: f64, steps, coarse| match nudge(
-        find(name).expect("a row"),
-        Value::Number(from),
-        steps,
-        coarse,
-    ) {
-        Value::Number(x) => x,
-        other => panic!("{other:?}"),
-    };
-    let cases = [
-        ("restitution", 0.6, 1, false, 0.61),
-        ("restitution", 0.6, -7, true, 0.0),
-        ("restitution", 0.95, 1, true, 1.0),
-        ("contact_time", 7e-6, 1, false, 7.7e-6),
-        ("contact_time", 7.7e-6, -1, false, 7e-6),
-        ("contact_time", 7e-6, 2, true, 2.8e-5),
-        ("s0", 0.0, 1, false, 1e-9),
-        ("s0", 1e-9, -1, false, 0.0),
-        ("v0", -0.01, 1, false, 0.0),
-        ("steps_per_contact", 2.0, -1, true, 2.0),
-    ];
-    for (name, from, steps, coarse, to) in cases {
-        let moved = press(name, from, steps, coarse);
-        assert!(
-            (moved - to).abs() <= 1e-12 * to.abs(),
-            "{name} {from} {steps}: {moved}"
-        );
-    }
-    let n = find("n").expect("a row");
-    assert_eq!(nudge(n, Value::Whole(3), -1, true), Value::Whole(1));
-    let floor = find("floor_contact").expect("a row");
-    let word = Value::Choice("same-spring");
-    assert_eq!(
-        nudge(floor, word, 1, false),
-        Value::Choice("same-restitution")
-    );
-    assert_eq!(nudge(floor, word, -2, false), word);
 }
 
 #[test]

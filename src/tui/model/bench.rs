@@ -1,4 +1,5 @@
-//! The scenes on the bench: the column and its twin, and the edits of them.
+//! The scenes on the bench: the column and its twin, or a lattice and a column as high,
+//! and the edits of them.
 
 use crate::live::reference;
 use crate::physics::spectrum::too_few_steps;
@@ -46,7 +47,8 @@ pub enum Change {
 }
 
 impl Bench {
-    /// The scenes of a preset: its own, and its twin where there is one.
+    /// The scenes of a preset: its own, and its twin where there is one. A lattice has a
+    /// column on its right.
     ///
     /// # Errors
     /// When the preset that is to run beside it cannot be loaded.
@@ -54,8 +56,11 @@ impl Bench {
         let own = preset.scene.clone();
         let twin = match &preset.beside {
             Some(name) => Some(Preset::load(name).map_err(|error| error.to_string())?.scene),
-            None if own.is_md() => own.with_method(MethodName::Ed).ok(),
-            None => None,
+            None => match own.column_as_high() {
+                Some(column) => column.ok(),
+                None if own.is_md() => own.with_method(MethodName::Ed).ok(),
+                None => None,
+            },
         };
         let (scenes, own) = match twin {
             Some(twin) if twin.is_md() && !own.is_md() => (vec![twin, own], 1),
@@ -83,6 +88,21 @@ impl Bench {
         &self.scenes
     }
 
+    /// Whether the first scene is a lattice.
+    pub fn is_lattice(&self) -> bool {
+        self.scenes[0].sites().is_some()
+    }
+
+    /// The scenes that are edited: the column beside a lattice follows it.
+    fn edited_ones(&self) -> &[Scene] {
+        let count = if self.is_lattice() {
+            1
+        } else {
+            self.scenes.len()
+        };
+        &self.scenes[..count]
+    }
+
     /// What the numbers of each scene are worth.
     pub fn checks(&self) -> &[Check] {
         &self.checks
@@ -107,7 +127,7 @@ impl Bench {
 
     /// The value of a parameter in the first scene that has it.
     pub fn value(&self, parameter: &Parameter) -> Option<Value> {
-        self.scenes
+        self.edited_ones()
             .iter()
             .find_map(|scene| (parameter.get)(scene.facts()))
     }
@@ -123,7 +143,7 @@ impl Bench {
         value: Value,
     ) -> Result<Change, SceneError> {
         let has = |scene: &Scene| parameter.applies(scene.facts());
-        if !self.scenes.iter().any(has) {
+        if !self.edited_ones().iter().any(has) {
             parameters::edit(&self.scenes[0], parameter, value)?;
         }
         let mut edited = self
@@ -141,12 +161,17 @@ impl Bench {
         Ok(self.put(edited))
     }
 
+    /// What follows the edit of the other: the column beside a lattice is always as high.
     /// Under a power law restitution follows from the law: when an edit changes it, the
     /// hard twin has the new one.
     fn follow(&self, edited: &mut [Scene]) -> Result<(), SceneError> {
         let [soft, hard] = edited else {
             return Ok(());
         };
+        if let Some(column) = soft.column_as_high() {
+            *hard = column?;
+            return Ok(());
+        }
         let before = &self.scenes[0];
         let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
         if hard.is_md() || soft.restitution == before.restitution || !(ruled(soft) || ruled(before))
@@ -222,7 +247,9 @@ impl Bench {
         };
         let next = next.and_then(|scene| self.as_before(&scene));
         let mut scenes = self.scenes.clone();
-        scenes[0] = next.map_err(|error| format!("no other method: {error}"))?;
+        let refused = |error| format!("no other method: {error}");
+        scenes[0] = next.map_err(refused)?;
+        self.follow(&mut scenes).map_err(refused)?;
         Ok(self.put(scenes))
     }
 
@@ -243,7 +270,8 @@ impl Bench {
         Scene::new(facts)
     }
 
-    /// Puts the twin beside the column, from its present state, or takes it away.
+    /// Puts the twin beside the column, from its present state, or takes it away; a column
+    /// beside a lattice starts with it.
     ///
     /// # Errors
     /// When there can be no twin, in a sentence.
@@ -256,6 +284,13 @@ impl Bench {
             return Ok(Change::GoOn(vec![kept]));
         }
         let own = self.scenes[0].clone();
+        if let Some(column) = own.column_as_high() {
+            let column = column.map_err(|error| format!("no column beside it: {error}"))?;
+            self.undo.clear();
+            self.scenes = vec![own, column];
+            self.settle();
+            return Ok(Change::Restart);
+        }
         let twin = if own.is_md() {
             Self::with(&own, self.hard).unwrap_or_else(|| own.with_method(MethodName::Ed))
         } else {

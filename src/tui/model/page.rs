@@ -25,7 +25,7 @@ const LEAST: f64 = 0.01;
 impl Page {
     /// An empty page for these scenes.
     pub fn new(sweep: Sweep, scenes: &[Scene]) -> Page {
-        let scale = expected(scenes);
+        let scale = expected(scenes, sweep.span);
         Page {
             sweep,
             samples: History::new(sweep.columns + 1),
@@ -97,8 +97,9 @@ fn extent<'a>(samples: impl Iterator<Item = &'a Sample>) -> Option<(f64, f64)> {
     (low <= high).then(|| (f64::from(low), f64::from(high)))
 }
 
-/// A scale to begin with.
-fn expected(scenes: &[Scene]) -> Scale {
+/// A scale to begin with. That of a lattice has room for its flight up to the end of the
+/// page: discs are best watched on a scale that stays.
+fn expected(scenes: &[Scene], span: f64) -> Scale {
     let (mut bottom, mut top) = (0.0f64, 0.0f64);
     for scene in scenes {
         if let Floor::Vibrating { amplitude, .. } = scene.floor {
@@ -109,6 +110,9 @@ fn expected(scenes: &[Scene]) -> Scale {
             let overlap = v0.abs() * scene.contact_time().unwrap_or(0.0);
             bottom = bottom.min(-2.0 * overlap);
             top = top.max(s0 * scene.layers() as f64).max(4.0 * overlap);
+            if scene.sites().is_some() {
+                top = top.max(v0.abs() * span);
+            }
         }
     }
     if top <= bottom {

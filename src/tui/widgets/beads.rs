@@ -62,7 +62,7 @@ impl Beads<'_> {
         let text = format!(
             "gap{}{}",
             self.theme.symbol("×", "x"),
-            self.magnification(&drawing)
+            magnification(drawing.gap, self.diameter, drawing.bead)
         );
         line(self.theme, buffer, below, 0).right(&text, self.theme.quiet());
     }
@@ -79,20 +79,6 @@ impl Beads<'_> {
             bead,
             gap: rest / (self.scale.top() - self.scale.bottom()),
             bottom: self.scale.bottom(),
-        }
-    }
-
-    /// How much larger gaps are drawn than beads, in two digits.
-    fn magnification(&self, drawing: &Drawing) -> String {
-        if drawing.bead == 0 {
-            return "1".into();
-        }
-        let factor = drawing.gap * self.diameter / f64::from(drawing.bead);
-        match factor {
-            f if f >= 9.5e3 => format!("{f:.0e}"),
-            f if f >= 9.5 => format!("{f:.0}"),
-            f if f >= 0.095 => format!("{f:.1}"),
-            f => format!("{f:.0e}"),
         }
     }
 
@@ -136,6 +122,21 @@ impl Drawing {
             .unwrap_or(i32::MAX)
             .saturating_mul(self.bead);
         self.dots(z).saturating_add(beads_below).saturating_add(1)
+    }
+}
+
+/// How much larger gaps are drawn than beads, in two digits: a metre of gap takes `gap`
+/// dots, a bead of that diameter `bead` dots.
+pub(super) fn magnification(gap: f64, diameter: f64, bead: i32) -> String {
+    if bead == 0 {
+        return "1".into();
+    }
+    let factor = gap * diameter / f64::from(bead);
+    match factor {
+        f if f >= 9.5e3 => format!("{f:.0e}"),
+        f if f >= 9.5 => format!("{f:.0}"),
+        f if f >= 0.095 => format!("{f:.1}"),
+        f => format!("{f:.0e}"),
     }
 }
 

@@ -25,6 +25,14 @@ const TERMS: &[(&str, &str)] = &[
         "hard spheres, one collision after another, none of which takes time.",
     ),
     (
+        "2D 1D",
+        "soft discs of a lattice, and the soft column that is as high, all else being alike. There are no hard discs to compare with: the verdict on σ holds for both.",
+    ),
+    (
+        "discs",
+        "gaps, heights and shifts are so many times larger than the discs; the filled ones touch another or the floor. The sides are joined: what leaves on one enters on the other.",
+    ),
+    (
         "E_r/E",
         "the part of the kinetic energy that is motion of the beads against each other: 0 for a column that moves as one.",
     ),

@@ -31,6 +31,11 @@ pub fn vertical(theme: Theme, x: u16, rows: std::ops::Range<u16>, buffer: &mut B
     }
 }
 
+/// Joins the rule that begins right of column `x` to the one down that column.
+pub fn branch(theme: Theme, x: u16, y: u16, buffer: &mut Buffer) {
+    set(theme, buffer, x, y, theme.symbol("├", "+"));
+}
+
 fn symbol(buffer: &Buffer, x: u16, y: u16) -> &str {
     buffer.cell((x, y)).map_or("", |cell| cell.symbol())
 }

@@ -101,8 +101,8 @@ fn ground(raster: &mut Raster, from: (i32, &Row), to: (i32, &Row), scale: &Scale
     }
 }
 
-/// Says over the trace why it ends.
-fn announce(theme: Theme, why: &str, area: Rect, buffer: &mut Buffer) {
+/// Says over the picture why it ends.
+pub(super) fn announce(theme: Theme, why: &str, area: Rect, buffer: &mut Buffer) {
     let inner = Rect {
         x: area.x + 1,
         width: area.width.saturating_sub(2),
