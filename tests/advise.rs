@@ -315,6 +315,7 @@ fn wrong_input_is_one_line() {
         (&["fig1b", "--budget", "0"], "--budget"),
         (&["fig1d", "--against", "material"], "no contact time"),
         (&["inelastic-ball"], "restitution = 0"),
+        (&["fig4"], "a lattice has no exact run"),
         (&["fig1b", "--set", "n=0"], "n = 0"),
         (&["fig1b", "--out", "no/such/folder"], "--out"),
     ] {

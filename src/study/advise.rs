@@ -73,6 +73,9 @@ pub enum AdviseError {
     /// The scene cannot have soft contacts, or not those that are asked for.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// There is no exact method for it.
+    #[error("a lattice has no exact run to look at contact times with; ask about a column")]
+    Lattice,
     /// Hard spheres are not what the law comes to.
     #[error(
         "law {law}: hard spheres have one restitution at all speeds and a floor after the linear \

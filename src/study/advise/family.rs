@@ -33,6 +33,9 @@ pub(super) struct Family {
 impl Family {
     /// Of a preset's scene; hard spheres stand for their soft twins.
     pub fn of(preset: &Preset) -> Result<Self, AdviseError> {
+        if preset.scene.sites().is_some() {
+            return Err(AdviseError::Lattice);
+        }
         let own = preset.scene.contact_time();
         let base = if own.is_some() {
             preset.scene.with_method(MethodName::Exact)?
