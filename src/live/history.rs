@@ -181,6 +181,20 @@ mod tests {
     }
 
     #[test]
+    fn a_row_of_a_lattice_has_one_line() {
+        let discs = Discs {
+            columns: 3,
+            ..Discs::default()
+        };
+        let seen = Observation {
+            reduced: vec![1.0, 2.0, 6.0, 4.0, 5.0, 6.0],
+            discs: Some(discs),
+            ..Observation::default()
+        };
+        assert_eq!(Row::of(&seen, None).reduced, [3.0, 5.0]);
+    }
+
+    #[test]
     fn tall_columns_are_thinned_and_keep_the_top() {
         let seen = Observation {
             reduced: (0..1000).map(f64::from).collect(),
