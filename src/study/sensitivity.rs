@@ -5,6 +5,13 @@ use super::measure::{Results, measure};
 use super::vary::{PATTERNS, one_ulp_off};
 use crate::scene::Scene;
 
+/// Bead steps of a run that may be done twice without being asked to.
+const CHEAP: f64 = 1e8;
+
+/// What is known of a floor collision's energies at most: it counts as over when no more
+/// than this part of them can still change.
+const AT_THE_END: f64 = 1e-12;
+
 /// Relative changes of a run's results when its start changes in the last bit.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Sensitivity {
@@ -63,6 +70,43 @@ impl Sensitivity {
     pub fn main(&self) -> Option<f64> {
         self.eps_eff.or(self.h_cm_mean)
     }
+}
+
+/// Whether a run without gravity was so short that it may be done again without being
+/// asked to; under gravity, where motion is chaotic, means have a standard error.
+pub fn is_cheap(scene: &Scene, results: &Results) -> bool {
+    let cost = results.steps as f64 * scene.n as f64 + results.events as f64;
+    scene.gravity.is_none() && cost < CHEAP
+}
+
+/// The results of a run without the digits that the last bit of its start decides, where
+/// it costs little to know them.
+///
+/// # Errors
+/// As [`measure`].
+pub fn in_its_digits(
+    scene: &Scene,
+    results: &Results,
+    watch: &mut Watch,
+) -> Result<Results, RunError> {
+    let patterns = usize::from(is_cheap(scene, results));
+    let known = sensitivity(scene, results, patterns, watch)?;
+    let cut = |x: Option<f64>, part: Option<f64>| match (x, part) {
+        (Some(x), Some(part)) => Some(rounded(x, digits(part))),
+        _ => x,
+    };
+    Ok(Results {
+        eps_eff: cut(results.eps_eff, at_the_end(known.eps_eff)),
+        er_over_ef: cut(results.er_over_ef, at_the_end(known.er_over_ef)),
+        contact_duration: cut(results.contact_duration, known.contact_duration),
+        sigma: cut(results.sigma, known.sigma),
+        ..results.clone()
+    })
+}
+
+/// What is known of an energy at the end of a floor collision at most.
+pub fn at_the_end(part: Option<f64>) -> Option<f64> {
+    part.map(|part| part.max(AT_THE_END))
 }
 
 /// Digits of a number that is known to this part of itself, and one to spare.

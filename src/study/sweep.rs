@@ -12,7 +12,7 @@ pub use parallel::run;
 
 use crate::scene::parameters::{Setting, Value};
 use crate::scene::{MethodName, Preset, Scene, SceneError};
-use crate::study::{Drive, Results, RunError, measure};
+use crate::study::{Drive, Results, RunError, in_its_digits, measure};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -154,7 +154,7 @@ impl Sweep {
     }
 }
 
-/// Measures a scene, unless it is stopped on the way.
+/// Measures a scene, with the digits that it has, unless it is stopped on the way.
 pub fn measure_unless(scene: &Scene, stop: &AtomicBool) -> Option<Result<Results, RunError>> {
     let mut watch = |_| {
         if stop.load(Ordering::Relaxed) {
@@ -163,7 +163,8 @@ pub fn measure_unless(scene: &Scene, stop: &AtomicBool) -> Option<Result<Results
             ControlFlow::Continue(())
         }
     };
-    match measure(scene, &mut Drive::new(scene, &mut watch)) {
+    let results = measure(scene, &mut Drive::new(scene, &mut watch));
+    match results.and_then(|results| in_its_digits(scene, &results, &mut watch)) {
         Err(RunError::Stopped { .. }) => None,
         result => Some(result),
     }

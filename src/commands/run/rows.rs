@@ -4,14 +4,11 @@ use super::report::{Cell, Report, Row};
 use crate::commands::{Failure, note};
 use crate::physics;
 use crate::scene::{Arrangement, Law, Preset, Scene, Start};
-use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch};
+use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch, at_the_end, is_cheap};
 use std::time::Instant;
 
 /// A ledger that is off by more belongs to a run that has lost its physics.
 const UNTRUSTED: f64 = 0.1;
-
-/// Bead steps of a run that may be done twice without being asked to.
-const CHEAP: f64 = 1e8;
 
 /// Runs the scene to its end.
 pub(super) fn measure(
@@ -49,11 +46,10 @@ pub(super) fn measure(
 
 /// How many patterns of last bits are tried.
 fn patterns(scene: &Scene, results: &Results, asked: bool) -> usize {
-    let cost = results.steps as f64 * scene.n as f64 + results.events as f64;
-    match () {
-        () if asked => PATTERNS,
-        () if scene.gravity.is_none() && cost < CHEAP => 1,
-        () => 0,
+    if asked {
+        PATTERNS
+    } else {
+        usize::from(is_cheap(scene, results))
     }
 }
 
@@ -171,10 +167,6 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
     ]
 }
 
-/// What is known of a floor collision's energies at most: it counts as over when no more
-/// than this part of them can still change.
-const AT_THE_END: f64 = 1e-12;
-
 /// What only a lattice has.
 fn of_the_lattice(scene: &Scene) -> Vec<Row> {
     let (Arrangement::Lattice { tangential, .. }, Some(sites)) = (scene.arrangement, scene.sites())
@@ -196,7 +188,6 @@ fn of_the_lattice(scene: &Scene) -> Vec<Row> {
 
 fn of_the_run(scene: &Scene, results: &Results, known: &Sensitivity) -> Vec<Row> {
     let soft = scene.is_md();
-    let at_the_end = |part: Option<f64>| part.map(|part| part.max(AT_THE_END));
     let standard_error = results.h_cm_error.zip(results.h_cm_mean);
     let standard_error = standard_error.map(|(error, mean)| (error / mean).abs());
     vec![
