@@ -199,7 +199,10 @@ fn bad_input_is_one_line() {
             &["accuracy", "nosuch"][..],
             "nosuch: no such preset or file",
         ),
-        (&["accuracy", "fig4"], "a lattice has no exact run to compare"),
+        (
+            &["accuracy", "fig4"],
+            "a lattice has no exact run to compare",
+        ),
         (
             &["accuracy", "--set", "n=0"],
             "n = 0: must be a whole number",
