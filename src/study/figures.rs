@@ -9,6 +9,8 @@ mod columns;
 mod fig1;
 mod fig2a;
 mod fig3;
+mod fig4a;
+mod fig4b;
 mod fig7;
 mod pair;
 mod runs;
@@ -137,6 +139,16 @@ static FIGURES: &[Figure] = &[
         name: "3",
         title: "Fig. 3: other laws of contact",
         make: fig3::sheet,
+    },
+    Figure {
+        name: "4a",
+        title: "Fig. 4(a): a lattice in a plane, over sigma",
+        make: fig4a::sheet,
+    },
+    Figure {
+        name: "4b",
+        title: "Fig. 4(b): 1 - eps_eff over the height of a lattice",
+        make: fig4b::sheet,
     },
     Figure {
         name: "5a",

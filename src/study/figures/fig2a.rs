@@ -1,7 +1,7 @@
 //! Fig. 2(a): ε_eff over σ, one curve for all speeds, contact times and separations.
 
 use super::bench::Bench;
-use super::runs::{decades, preset, results};
+use super::runs::{crossing, decades, preset, results};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
@@ -170,14 +170,7 @@ fn fall(jobs: &[Job], found: &[(f64, f64)], sheet: &mut Sheet) {
     let (Some(first), Some(last)) = (curve.first(), curve.last()) else {
         return;
     };
-    let at = |part: f64| {
-        let level = first.1 + part * (last.1 - first.1);
-        let pair = curve.windows(2).find(|p| p[0].1 >= level && p[1].1 < level);
-        pair.map_or(f64::NAN, |p| {
-            let u = (level - p[0].1) / (p[1].1 - p[0].1);
-            (p[0].0.ln() + u * (p[1].0 / p[0].0).ln()).exp()
-        })
-    };
+    let at = |part: f64| crossing(&curve, first.1 + part * (last.1 - first.1));
     sheet.claims.extend([
         Claim::least("sigma at 10 % of the fall", "0.1", at(0.1), 0.1),
         Claim::most("sigma at 90 % of the fall", "1", at(0.9), 1.0).because(

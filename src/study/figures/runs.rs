@@ -50,3 +50,12 @@ pub(super) fn decades(from: f64, to: f64, count: u32) -> Vec<f64> {
         })
         .collect()
 }
+
+/// Where a curve first falls below a level, on a logarithmic axis.
+pub(super) fn crossing(curve: &[(f64, f64)], level: f64) -> f64 {
+    let pair = curve.windows(2).find(|p| p[0].1 >= level && p[1].1 < level);
+    pair.map_or(f64::NAN, |p| {
+        let u = (level - p[0].1) / (p[1].1 - p[0].1);
+        (p[0].0.ln() + u * (p[1].0 / p[0].0).ln()).exp()
+    })
+}
