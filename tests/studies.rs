@@ -108,8 +108,9 @@ fn judged(quick: bool, slices: u64) -> usize {
                 let is_off = matches!(judgement.verdict, Verdict::Off(_) | Verdict::Breaks(..));
                 assert!(!is_off, "{of}: {text}");
                 // Two methods that share nothing: their tolerances and what is amplified.
-                if let Verdict::Confirmed { error, .. } = judgement.verdict {
-                    assert!(error < 1e-8, "{of}: {text}");
+                if let Verdict::Confirmed { error, bits } = judgement.verdict {
+                    let last_bits = 10.0 * bits.unwrap_or(0.0);
+                    assert!(error < last_bits.max(1e-8), "{of}: {text}");
                     confirmed += 1;
                 }
             }
