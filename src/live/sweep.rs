@@ -34,21 +34,32 @@ impl Sweep {
         ((time - self.page_start(time)) / self.span).clamp(0.0, 1.0)
     }
 
-    /// Number of the first sample after `time`, when only every `stride`-th is taken.
+    /// Number of the first sample after `time`, when only every `stride`-th is taken, and
+    /// the last one of a page.
     pub fn next_sample(&self, time: f64, stride: i64) -> i64 {
         let passed = ((time - self.origin) / self.interval()).floor();
         #[expect(
             clippy::cast_possible_truncation,
             reason = "as saturates, and no run lasts 2^63 samples"
         )]
-        let passed = passed as i64;
-        let next = (passed.div_euclid(stride) + 1).saturating_mul(stride);
+        let next = self.sample_after(passed as i64, stride);
         // Rounding must not give the sample that was just taken.
         if self.sample_time(next) > time {
             next
         } else {
-            next.saturating_add(stride)
+            self.sample_after(next, stride)
         }
+    }
+
+    fn sample_after(&self, number: i64, stride: i64) -> i64 {
+        let pages = number.saturating_add(1).div_euclid(self.samples());
+        let last = (pages + 1).saturating_mul(self.samples()) - 1;
+        let next = (number.div_euclid(stride) + 1).saturating_mul(stride);
+        next.min(last)
+    }
+
+    fn samples(&self) -> i64 {
+        i64::try_from(self.columns).unwrap_or(i64::MAX).max(1)
     }
 
     /// When sample `number` is taken, s.
@@ -56,11 +67,9 @@ impl Sweep {
         (number as f64).mul_add(self.interval(), self.origin)
     }
 
-    /// Whether sample `number` is the last one of its page, when only every
-    /// `stride`-th is taken.
-    pub fn ends_page(&self, number: i64, stride: i64) -> bool {
-        let columns = i64::try_from(self.columns).unwrap_or(i64::MAX);
-        number > 0 && number.rem_euclid(columns) + stride >= columns
+    /// Whether sample `number` is the last one of its page.
+    pub fn ends_page(&self, number: i64) -> bool {
+        number > 0 && (number + 1) % self.samples() == 0
     }
 }
 
@@ -87,8 +96,26 @@ mod tests {
         let next = SWEEP.next_sample(1.0, 1);
         assert_eq!(next, 1);
         assert!((SWEEP.sample_time(next) - 1.01).abs() < 1e-12);
-        assert!(SWEEP.ends_page(49, 1) && SWEEP.ends_page(99, 1) && !SWEEP.ends_page(50, 1));
-        assert!(SWEEP.ends_page(48, 2));
+        assert!(SWEEP.ends_page(49) && SWEEP.ends_page(99) && !SWEEP.ends_page(50));
+    }
+
+    #[test]
+    fn a_page_ends_with_its_last_sample_however_few_are_taken() {
+        let (mut time, mut taken) = (SWEEP.origin, Vec::new());
+        for _ in 0..6 {
+            let next = SWEEP.next_sample(time, 32);
+            taken.push((next, SWEEP.ends_page(next)));
+            time = SWEEP.sample_time(next);
+        }
+        let ends = [
+            (32, false),
+            (49, true),
+            (64, false),
+            (96, false),
+            (99, true),
+            (128, false),
+        ];
+        assert_eq!(taken, ends);
     }
 
     #[test]

@@ -304,7 +304,7 @@ impl Worker {
                 if until >= sample_time {
                     self.record();
                     taken += 1;
-                    self.hold_if_full(sample, stride);
+                    self.hold_if_full(sample);
                 }
             }
             let late = started.elapsed() >= SLICE;
@@ -349,8 +349,8 @@ impl Worker {
     }
 
     /// Stands still at the end of a page that is to be looked at.
-    fn hold_if_full(&mut self, sample: i64, stride: i64) {
-        if self.sweep.hold && !self.paused && self.sweep.ends_page(sample, stride) {
+    fn hold_if_full(&mut self, sample: i64) {
+        if self.sweep.hold && !self.paused && self.sweep.ends_page(sample) {
             self.set_running(false);
             self.held = true;
         }

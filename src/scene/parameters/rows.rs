@@ -4,8 +4,8 @@ mod contact;
 mod lattice;
 
 use super::access::{
-    choice, flag, number, plate, separated, set_alpha, set_amplitude, set_frequency, set_rule,
-    steps, tolerance, whole,
+    choice, columns, flag, number, plate, separated, set_alpha, set_amplitude, set_frequency,
+    set_rule, steps, tolerance, whole,
 };
 use super::{Kind, Parameter, Scale, Value};
 use crate::scene::{CollisionRule, Method, Solver, Start};
@@ -240,8 +240,13 @@ pub(super) static ROWS: &[Parameter] = &[
             scale: WIDTHS,
         },
         note: " (at most 1.97 diameters)",
+        belongs_to: "columns",
         live: false,
-        get: |facts| Some(Value::Number(facts.width)),
+        get: |facts| {
+            columns(facts)
+                .is_none()
+                .then_some(Value::Number(facts.width))
+        },
         set: |facts, value| number(value, |x| facts.width = x),
         ..ROW
     },

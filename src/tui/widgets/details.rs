@@ -5,32 +5,49 @@ use ratatui::layout::Rect;
 
 use super::text::line;
 use crate::physics::Observation;
+use crate::scene::{Floor, Scene};
 use crate::tui::model::Model;
 use crate::tui::numbers::{scientific, short, with_unit};
 
-/// A quantity and how it is written.
-type Detail = (&'static str, fn(&Observation) -> String);
+/// A quantity, which scenes have it, and how it is written.
+type Detail = (&'static str, fn(&Scene) -> bool, fn(&Observation) -> String);
 
 /// Columns that a number takes, and a space.
 const NARROWEST: u16 = 9;
 
 /// In the order in which they are given up where there is no room.
 const DETAILS: [Detail; 8] = [
-    ("h_cm", |seen| with_unit(seen.centre, "m")),
-    ("drift", |seen| scientific(seen.energy.drift)),
-    ("lost", |seen| short(seen.energy.lost)),
-    ("plate", |seen| short(seen.energy.plate_work)),
-    ("E_pot", |seen| short(seen.energy.potential)),
-    ("E_el", |seen| short(seen.energy.elastic)),
-    ("t_k", |seen| {
+    ("h_cm", all, |seen| with_unit(seen.centre, "m")),
+    ("drift", all, |seen| scientific(seen.energy.drift)),
+    ("lost", all, |seen| short(seen.energy.lost)),
+    ("plate", moves, |seen| short(seen.energy.plate_work)),
+    ("E_pot", heavy, |seen| short(seen.energy.potential)),
+    (
+        "E_el",
+        |scene| scene.is_md(),
+        |seen| short(seen.energy.elastic),
+    ),
+    ("t_k", all, |seen| {
         let span = seen
             .floor_touched
             .zip(seen.floor_left)
             .map(|(first, last)| last - first);
         span.map_or_else(|| "-".into(), |span| with_unit(span, "s"))
     }),
-    ("count", |seen| (seen.steps + seen.events).to_string()),
+    ("count", all, |seen| (seen.steps + seen.events).to_string()),
 ];
+
+fn all(_: &Scene) -> bool {
+    true
+}
+
+fn moves(scene: &Scene) -> bool {
+    matches!(scene.floor, Floor::Vibrating { .. })
+}
+
+fn heavy(scene: &Scene) -> bool {
+    scene.gravity.is_some()
+}
 
 /// Draws a table: a quantity a line, a column of beads a column.
 pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
@@ -44,7 +61,9 @@ pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
     if width < NARROWEST {
         return;
     }
-    for (row, (name, write)) in (1..area.height).zip(DETAILS) {
+    let scenes = model.bench.scenes();
+    let shown = DETAILS.iter().filter(|(_, has, _)| scenes.iter().any(has));
+    for (row, (name, _, write)) in (1..area.height).zip(shown) {
         line(theme, buffer, area, row).put(name, theme.quiet());
         for (index, side) in (0..count).zip(sides) {
             let cell = Rect {
