@@ -12,6 +12,7 @@ mod contacts;
 mod ed;
 mod exact;
 mod flight;
+mod grid;
 mod lattice;
 mod ledger;
 mod linear_law;

@@ -18,11 +18,12 @@ mod view;
 
 use super::Engine;
 use super::column::{masses, springs};
+use super::grid::Settings;
 use super::md::{Law, Linear, Powered};
 use super::power_law::Spring;
 use super::state::State;
 use crate::scene::lattice::Sites;
-use crate::scene::{self, Arrangement, Integrator, Method, Scene, Solver};
+use crate::scene::{self, Arrangement, Integrator, Scene};
 use engine::Lattice;
 use forces::{Laws, Rubbing, Smooth, Surface};
 use gear::Gear;
@@ -35,30 +36,17 @@ struct Plane {
     floor: Spring,
     pair: Spring,
     tangential: f64,
-    contact_time: f64,
-    steps_per_contact: f64,
+    settings: Settings,
     /// The collision is over when nothing has touched for so long, s.
     wait: f64,
 }
 
 /// Builds the engine of a lattice.
 pub(super) fn build(scene: &Scene, sites: Sites, state: State) -> Box<dyn Engine> {
-    let (
-        Arrangement::Lattice { tangential, .. },
-        Method::Md {
-            solver:
-                Solver::Grid {
-                    integrator,
-                    steps_per_contact,
-                },
-            attraction,
-            ..
-        },
-        Some(contact_time),
-    ) = (scene.arrangement, scene.method, scene.contact_time())
-    else {
-        unreachable!("a lattice is a scene of soft contacts on a grid");
+    let Arrangement::Lattice { tangential, .. } = scene.arrangement else {
+        unreachable!("a lattice has sites");
     };
+    let settings = Settings::of(scene);
     let springs = springs(scene, &masses(scene));
     // In 2N s₀/|v₀| a lattice without separation would have no time at all: its contacts
     // part within some t_c.
@@ -68,21 +56,19 @@ pub(super) fn build(scene: &Scene, sites: Sites, state: State) -> Box<dyn Engine
         floor: springs[0],
         pair: springs[springs.len() - 1],
         tangential,
-        contact_time,
-        steps_per_contact,
-        wait: 2.0 * scene.n as f64 * crossing.max(contact_time),
+        settings,
+        wait: 2.0 * scene.n as f64 * crossing.max(settings.contact_time),
     };
     let power = matches!(scene.law(), Some(scene::Law::Power(_)));
-    match (power, attraction) {
-        (false, true) => with_law(integrator, plane, state, Linear::<true>),
-        (false, false) => with_law(integrator, plane, state, Linear::<false>),
-        (true, true) => with_law(integrator, plane, state, Powered::<true>),
-        (true, false) => with_law(integrator, plane, state, Powered::<false>),
+    match (power, settings.attraction) {
+        (false, true) => with_law(plane, state, Linear::<true>),
+        (false, false) => with_law(plane, state, Linear::<false>),
+        (true, true) => with_law(plane, state, Powered::<true>),
+        (true, false) => with_law(plane, state, Powered::<false>),
     }
 }
 
 fn with_law<L: Law + 'static>(
-    integrator: Integrator,
     plane: Plane,
     state: State,
     law: impl Fn(Spring) -> L,
@@ -92,21 +78,20 @@ fn with_law<L: Law + 'static>(
         pair: law(plane.pair),
     };
     if plane.tangential == 0.0 {
-        with_surface(integrator, plane, state, laws, Smooth)
+        with_surface(plane, state, laws, Smooth)
     } else {
         let rubbing = Rubbing(plane.tangential);
-        with_surface(integrator, plane, state, laws, rubbing)
+        with_surface(plane, state, laws, rubbing)
     }
 }
 
 fn with_surface<L: Law + 'static, S: Surface + 'static>(
-    integrator: Integrator,
     plane: Plane,
     state: State,
     laws: Laws<L>,
     surface: S,
 ) -> Box<dyn Engine> {
-    match integrator {
+    match plane.settings.integrator {
         Integrator::Gear => moved_by::<Gear, L, S>(plane, state, laws, surface),
         Integrator::Verlet => moved_by::<Verlet, L, S>(plane, state, laws, surface),
     }

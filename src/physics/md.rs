@@ -16,76 +16,54 @@ mod verlet;
 
 use super::Engine;
 use super::column::{masses, springs};
+use super::grid::Settings;
 use super::power_law::Spring;
 use super::state::State;
-use crate::scene::{self, Floor, Integrator, Method, Scene, Solver};
+use crate::scene::{self, Floor, Integrator, Scene};
 use chain::{Equal, Unequal};
 pub(super) use chain::{Law, Linear};
 use engine::Md;
-pub(super) use gear::CORRECTOR;
 use gear::Gear;
+pub(super) use gear::{CORRECTOR, corrected, predicted};
 use ground::{Free, Ground, Shaken, Weight};
+pub(super) use lanes::flushed;
 pub(super) use powered::Powered;
 use stepper::Stepper;
-pub(super) use upkeep::MOST_STEPS;
 use verlet::Verlet;
-
-/// What a scene on a grid has.
-#[derive(Clone, Copy)]
-struct Grid {
-    contact_time: f64,
-    steps_per_contact: f64,
-    attraction: bool,
-}
 
 /// Builds the engine of an MD scene on a grid of time steps.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let (
-        Method::Md {
-            solver:
-                Solver::Grid {
-                    integrator,
-                    steps_per_contact,
-                },
-            attraction,
-            ..
-        },
-        Some(contact_time),
-    ) = (scene.method, scene.contact_time())
-    else {
-        unreachable!("physics::build hands scenes on a grid to this room");
-    };
-    let grid = Grid {
-        contact_time,
-        steps_per_contact,
-        attraction,
-    };
-    match integrator {
-        Integrator::Gear => with_ground::<Gear>(scene, grid, state),
-        Integrator::Verlet => with_ground::<Verlet>(scene, grid, state),
+    let settings = Settings::of(scene);
+    match settings.integrator {
+        Integrator::Gear => with_ground::<Gear>(scene, settings, state),
+        Integrator::Verlet => with_ground::<Verlet>(scene, settings, state),
     }
 }
 
-fn with_ground<S: Stepper + 'static>(scene: &Scene, grid: Grid, state: State) -> Box<dyn Engine> {
+fn with_ground<S: Stepper + 'static>(
+    scene: &Scene,
+    settings: Settings,
+    state: State,
+) -> Box<dyn Engine> {
     match (scene.floor, scene.gravity) {
         (Floor::Vibrating { .. }, gravity) => {
             let ground = Shaken::new(gravity.unwrap_or(0.0), state.plate);
-            with_chain::<S, _>(scene, grid, state, ground)
+            with_chain::<S, _>(scene, settings, state, ground)
         }
         (Floor::Fixed, Some(gravity)) => {
             let ground = Weight::new(gravity, state.plate);
-            with_chain::<S, _>(scene, grid, state, ground)
+            with_chain::<S, _>(scene, settings, state, ground)
         }
         (Floor::Fixed, None) => {
             let ground = Free::new(state.plate);
-            with_chain::<S, _>(scene, grid, state, ground)
+            with_chain::<S, _>(scene, settings, state, ground)
         }
     }
 }
 
 fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
     scene: &Scene,
-    grid: Grid,
+    settings: Settings,
     state: State,
     ground: G,
 ) -> Box<dyn Engine> {
@@ -97,27 +75,27 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
         springs,
     };
     let power = matches!(scene.law(), Some(scene::Law::Power(_)));
-    match (power, grid.attraction) {
-        (false, true) => with_law::<S, _, _>(scene, grid, state, column, Linear::<true>),
-        (false, false) => with_law::<S, _, _>(scene, grid, state, column, Linear::<false>),
-        (true, true) => with_law::<S, _, _>(scene, grid, state, column, Powered::<true>),
-        (true, false) => with_law::<S, _, _>(scene, grid, state, column, Powered::<false>),
+    match (power, settings.attraction) {
+        (false, true) => with_law::<S, _, _>(scene, settings, state, column, Linear::<true>),
+        (false, false) => with_law::<S, _, _>(scene, settings, state, column, Linear::<false>),
+        (true, true) => with_law::<S, _, _>(scene, settings, state, column, Powered::<true>),
+        (true, false) => with_law::<S, _, _>(scene, settings, state, column, Powered::<false>),
     }
 }
 
 fn with_law<S: Stepper + 'static, G: Ground + 'static, L: Law + 'static>(
     scene: &Scene,
-    grid: Grid,
+    settings: Settings,
     state: State,
     column: Column<G>,
     law: impl Fn(Spring) -> L,
 ) -> Box<dyn Engine> {
     let laws: Vec<L> = column.springs.iter().map(|&spring| law(spring)).collect();
     if scene.width == 0.0 {
-        Md::<S, G, _>::boxed(scene, grid, state, column, Equal::new(&laws))
+        Md::<S, G, _>::boxed(scene, settings, state, column, Equal::new(&laws))
     } else {
         let chain = Unequal::new(&laws, &column.masses);
-        Md::<S, G, _>::boxed(scene, grid, state, column, chain)
+        Md::<S, G, _>::boxed(scene, settings, state, column, chain)
     }
 }
 

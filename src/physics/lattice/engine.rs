@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::Plane;
 use super::forces::{Forces, Laws, Surface};
 use super::mover::Mover;
-use super::upkeep::HOUSEKEEPING;
 use super::view::View;
+use crate::physics::grid::Grid;
 use crate::physics::ledger::Ledger;
-use crate::physics::md::{Law, MOST_STEPS};
+use crate::physics::md::Law;
 use crate::physics::observation::Observation;
 use crate::physics::state::{Books, State};
 use crate::physics::{Engine, EngineError, Outcome};
@@ -18,15 +18,7 @@ pub(super) struct Lattice<M, L, S> {
     pub(super) mover: M,
     pub(super) forces: Forces<L, S>,
     pub(super) plane: Plane,
-    /// Time of grid point 0, s: the start, or the last edit.
-    pub(super) origin: f64,
-    pub(super) h: f64,
-    /// Grid points done.
-    pub(super) n: u64,
-    /// Where a flight without any contact began and where it will be stepped again.
-    pub(super) flight: Option<(u64, u64)>,
-    /// Grid points passed in finished flights.
-    pub(super) skipped: u64,
+    pub(super) grid: Grid,
     pub(super) state: State,
     /// Which contact of the log a pair has.
     pub(super) slots: BTreeMap<[u32; 2], usize>,
@@ -41,7 +33,7 @@ pub(super) struct Lattice<M, L, S> {
 
 impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
     pub(super) fn new(plane: Plane, mut state: State, laws: Laws<L>, surface: S) -> Self {
-        let h = plane.contact_time / plane.steps_per_contact;
+        let h = plane.settings.step();
         let places = std::mem::take(&mut state.gaps);
         let rates = std::mem::take(&mut state.rates);
         let mut forces = Forces::new(plane.sites, laws, surface, &places);
@@ -52,11 +44,7 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
             mover,
             forces,
             plane,
-            origin: state.time,
-            h,
-            n: 0,
-            flight: None,
-            skipped: 0,
+            grid: Grid::new(state.time, h),
             slots: slots.collect(),
             quiet: 0.0,
             busy: state.time,
@@ -80,7 +68,7 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
 
     pub(super) fn view<'a>(&'a self, places: &'a [f64], rates: &'a [f64]) -> View<'a> {
         View {
-            time: self.grid(self.n),
+            time: self.grid.time(),
             places,
             rates,
             sites: &self.forces.sites,
@@ -89,45 +77,19 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
         }
     }
 
-    pub(super) fn grid(&self, n: u64) -> f64 {
-        self.origin + n as f64 * self.h
-    }
-
-    /// The last grid point not after `until`.
-    fn last_step(&self, until: f64) -> u64 {
-        let estimate = ((until - self.origin) / self.h).max(0.0);
-        if estimate >= MOST_STEPS {
-            return u64::MAX;
-        }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "between 0 and 2^53"
-        )]
-        let mut n = estimate as u64;
-        while n > 0 && self.grid(n) > until {
-            n -= 1;
-        }
-        while self.grid(n + 1) <= until {
-            n += 1;
-        }
-        n
-    }
-
-    /// Does up to `steps` steps, not past a look at the numbers; how many it did.
+    /// Does up to `steps` steps, to where contacts change; how many it did.
     fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
-        let steps = steps.min(HOUSEKEEPING - self.n % HOUSEKEEPING);
         let (mut done, mut changed) = (0, false);
         while done < steps && !changed {
             changed = self.mover.step(&mut self.forces);
             done += 1;
         }
-        self.n += done;
+        self.grid.stepped(done);
         if changed {
             self.take_rates();
             self.note_contacts();
         }
-        if self.n.is_multiple_of(HOUSEKEEPING) {
+        if self.grid.is_due() {
             self.housekeeping()?;
         }
         Ok(done)
@@ -143,8 +105,7 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
         let mut places = self.mover.places().to_vec();
         let mut rates = Vec::new();
         self.mover.rates(&self.forces.accelerations, &mut rates);
-        if let Some((from, _)) = self.flight {
-            let flown = (self.n - from) as f64 * self.h;
+        if let Some(flown) = self.grid.flown() {
             for (place, rate) in places.iter_mut().zip(&rates) {
                 *place += rate * flown;
             }
@@ -155,37 +116,32 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
     /// What is accounted for, up to now.
     pub(super) fn ledger(&self) -> Ledger {
         let mut ledger = self.state.books.ledger;
-        ledger.lost.add(self.forces.lost * self.h);
+        ledger.lost.add(self.forces.lost * self.grid.h);
         ledger
     }
 
     /// Steps done.
     fn steps(&self) -> u64 {
-        let flying = self.flight.map_or(0, |(from, _)| self.n - from);
-        self.state.books.steps + self.n - self.skipped - flying
+        self.state.books.steps + self.grid.steps()
     }
 }
 
 impl<M: Mover, L: Law, S: Surface> Engine for Lattice<M, L, S> {
     fn time(&self) -> f64 {
-        self.grid(self.n)
+        self.grid.time()
     }
 
     fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
-        let target = self.last_step(until);
+        let target = self.grid.last_step(until);
         let mut left = budget;
         loop {
             self.fly(target)?;
-            if self.n >= target || left == 0 {
-                break;
+            let steps = self.grid.ahead(target, left);
+            if steps == 0 {
+                return Ok(self.grid.outcome(target, self.over));
             }
-            left -= self.run(left.min(target - self.n))?;
+            left -= self.run(steps)?;
         }
-        Ok(match (self.n >= target, self.over) {
-            (false, _) => Outcome::OutOfBudget,
-            (true, true) => Outcome::Over,
-            (true, false) => Outcome::Reached,
-        })
     }
 
     fn is_over(&self) -> bool {

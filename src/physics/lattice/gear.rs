@@ -3,7 +3,7 @@
 
 use super::forces::{Forces, Surface};
 use super::mover::{Mover, flush};
-use crate::physics::md::{CORRECTOR, Law};
+use crate::physics::md::{Law, corrected, predicted};
 
 pub(super) struct Gear {
     h: f64,
@@ -68,28 +68,14 @@ impl Mover for Gear {
 }
 
 impl Gear {
-    /// The Taylor series, a step on: Pascal's triangle, in sums alone.
+    /// The Taylor series, a step on.
     #[inline]
     fn predict(&mut self) {
         let [r0, r1, r2, r3, r4, r5] = &mut self.rows;
         let upper = r3.iter_mut().zip(r4).zip(r5.iter());
         let lower = r0.iter_mut().zip(r1).zip(r2);
         for (((a, b), c), ((d, e), f)) in lower.zip(upper) {
-            let e1 = *e + f;
-            let d1 = *d + e1;
-            let c1 = *c + d1;
-            let b1 = *b + c1;
-            let e2 = e1 + f;
-            let d2 = d1 + e2;
-            let c2 = c1 + d2;
-            let e3 = e2 + f;
-            let d3 = d2 + e3;
-            let e4 = e3 + f;
-            *a += b1;
-            *b = b1 + c2;
-            *c = c2 + d3;
-            *d = d3 + e4;
-            *e = e4 + f;
+            [*a, *b, *c, *d, *e, _] = predicted([*a, *b, *c, *d, *e, *f]);
         }
     }
 
@@ -102,13 +88,7 @@ impl Gear {
         let lower = r0.iter_mut().zip(r1).zip(r2);
         let rows = lower.zip(upper).zip(accelerations);
         for ((((a, b), c), ((d, e), f)), acceleration) in rows {
-            let delta = acceleration * half - *c;
-            *a += delta * CORRECTOR[0];
-            *b += delta * CORRECTOR[1];
-            *c += delta * CORRECTOR[2];
-            *d += delta * CORRECTOR[3];
-            *e += delta * CORRECTOR[4];
-            *f += delta * CORRECTOR[5];
+            [*a, *b, *c, *d, *e, *f] = corrected([*a, *b, *c, *d, *e, *f], acceleration * half);
         }
     }
 }

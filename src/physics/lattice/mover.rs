@@ -1,7 +1,7 @@
 //! What an integrator of a lattice does.
 
 use super::forces::{Forces, Surface};
-use crate::physics::md::Law;
+use crate::physics::md::{Law, flushed};
 
 /// An integrator. Its state is displacements and rates, all across, then all up.
 pub(super) trait Mover: Send + Sized {
@@ -24,13 +24,9 @@ pub(super) trait Mover: Send + Sized {
     fn clear(&mut self);
 }
 
-/// Sets to zero what is too small to matter to anything, and keeps what is not a number.
+/// Sets to zero what is too small to matter to anything.
 pub(super) fn flush(row: &mut [f64]) {
     for x in row {
-        if x.abs() < NEGLIGIBLE {
-            *x = 0.0;
-        }
+        *x = flushed(*x);
     }
 }
-
-const NEGLIGIBLE: f64 = 1e-150;

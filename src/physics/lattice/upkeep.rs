@@ -5,18 +5,14 @@ use super::forces::Surface;
 use super::mover::Mover;
 use crate::physics::EngineError;
 use crate::physics::column::OVER;
-use crate::physics::md::{Law, MOST_STEPS};
-
-/// Steps between two looks at the numbers themselves.
-pub(super) const HOUSEKEEPING: u64 = 32;
-/// Steps between two looks at the energy.
-const INSPECTION: u64 = 1024;
+use crate::physics::flight::closing;
+use crate::physics::md::Law;
 
 impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
     /// Writes down which contacts began or ended in the last step; the rates are those
     /// of now.
     pub(super) fn note_contacts(&mut self) {
-        let time = self.grid(self.n);
+        let time = self.grid.time();
         let n = self.forces.sites.count();
         let (mut loud, mut on_floor) = (false, false);
         for foot in &mut self.forces.list.feet {
@@ -90,15 +86,14 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
     /// contact has counted.
     fn look_for_the_end(&mut self) {
         let (touched, _) = self.state.books.contacts.floor();
-        self.over |= touched.is_some() && self.grid(self.n) - self.busy >= self.plane.wait;
+        self.over |= touched.is_some() && self.grid.time() - self.busy >= self.plane.wait;
     }
 
     /// Goes on in one flight to just before the next contact, if no contact has been
     /// closed since the last look.
     fn look_for_flight(&mut self) -> Result<(), EngineError> {
-        let since = self.state.books.contacts.last().unwrap_or(self.origin);
-        let settled = self.grid(self.n) - since > HOUSEKEEPING as f64 * self.h;
-        if !settled || !self.state.books.contacts.all_open() {
+        let contacts = &self.state.books.contacts;
+        if !contacts.all_open() || !self.grid.is_settled(contacts.last()) {
             return Ok(());
         }
         let mut ahead = self.next_contact().min(self.room());
@@ -108,25 +103,7 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
             forces.list.make(&forces.sites, mover.places());
             ahead = self.next_contact().min(self.room());
         }
-        let ahead = ahead / self.h;
-        if ahead.is_finite() && self.n as f64 + ahead >= MOST_STEPS && !self.over {
-            return Err(EngineError::BeyondTime {
-                time: self.grid(self.n),
-                steps: ahead,
-            });
-        }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a count of steps, or infinite"
-        )]
-        let steps = ahead.min(u64::MAX as f64) as u64;
-        // The last steps are done one by one: the closed form must not overshoot.
-        let steps = steps.saturating_sub(2) / HOUSEKEEPING * HOUSEKEEPING;
-        if steps > 0 {
-            self.flight = Some((self.n, self.n.saturating_add(steps)));
-        }
-        Ok(())
+        self.grid.take_off(ahead, self.over)
     }
 
     /// Time to the next contact of a pair in the list, or with the floor, in free
@@ -140,9 +117,7 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
                 foot.gap + places[n + foot.i as usize],
                 self.rates[n + foot.i as usize],
             );
-            if w < 0.0 {
-                next = next.min(-gap / w);
-            }
+            next = next.min(closing(0.0, gap, w));
         }
         for bond in &self.forces.list.bonds {
             let (i, j) = (bond.i as usize, bond.j as usize);
@@ -175,14 +150,8 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
 
     /// Passes through flights, up to grid point `last` at most.
     pub(super) fn fly(&mut self, last: u64) -> Result<(), EngineError> {
-        while let Some((from, end)) = self.flight {
-            self.n = end.min(last).max(self.n);
-            if self.n < end {
-                break;
-            }
-            self.mover.coast(end - from);
-            self.skipped += end - from;
-            self.flight = None;
+        while let Some(steps) = self.grid.fly(last) {
+            self.mover.coast(steps);
             self.look_for_the_end();
             self.look_for_flight()?;
         }
@@ -191,24 +160,28 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
 
     /// Every so often, whatever the slices a run is advanced in.
     pub(super) fn housekeeping(&mut self) -> Result<(), EngineError> {
-        self.state.books.ledger.lost.add(self.forces.lost * self.h);
+        self.state
+            .books
+            .ledger
+            .lost
+            .add(self.forces.lost * self.grid.h);
         self.forces.lost = 0.0;
         self.mover.clear();
         self.take_rates();
         self.set_quiet();
         if self.is_loud() {
-            self.busy = self.grid(self.n);
+            self.busy = self.grid.time();
         }
         self.look_for_the_end();
         self.look_for_flight()?;
         let sound = self.mover.places().iter().sum::<f64>().is_finite();
-        if sound && !self.n.is_multiple_of(INSPECTION) {
+        if sound && !self.grid.is_inspected() {
             return Ok(());
         }
         if !sound || self.lost_the_energy() {
             return Err(EngineError::Unstable {
-                time: self.grid(self.n),
-                steps_per_contact: self.plane.steps_per_contact,
+                time: self.grid.time(),
+                steps_per_contact: self.plane.settings.steps_per_contact,
             });
         }
         Ok(())

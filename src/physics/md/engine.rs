@@ -1,10 +1,10 @@
 //! A soft column on a grid of steps, as an engine.
 
+use super::Column;
 use super::chain::Chain;
 use super::ground::Ground;
 use super::stepper::{Power, Stepper};
-use super::upkeep::{HOUSEKEEPING, MOST_STEPS};
-use super::{Column, Grid};
+use crate::physics::grid::{Grid, Settings};
 use crate::physics::ledger::Ledger;
 use crate::physics::moment::Moment;
 use crate::physics::observation::Observation;
@@ -26,16 +26,7 @@ pub(super) struct Md<S, G, C> {
     pub(super) steps_per_contact: f64,
     /// Energy in which the column would fall by a diameter, m²/s².
     pub(super) least_energy: f64,
-    /// Time of grid point 0, s: the start, or the last edit.
-    pub(super) origin: f64,
-    pub(super) h: f64,
-    /// Grid points done.
-    pub(super) n: u64,
-    /// Where a flight without any contact or force began and where it will be
-    /// stepped again; in between gaps are linear in time and need no steps.
-    pub(super) flight: Option<(u64, u64)>,
-    /// Grid points passed in finished flights.
-    pub(super) skipped: u64,
+    pub(super) grid: Grid,
     pub(super) state: State,
     pub(super) over: bool,
 }
@@ -43,7 +34,7 @@ pub(super) struct Md<S, G, C> {
 impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> {
     pub(super) fn boxed(
         scene: &Scene,
-        grid: Grid,
+        settings: Settings,
         state: State,
         column: Column<G>,
         chain: C,
@@ -53,24 +44,20 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
             masses,
             springs,
         } = column;
-        let h = grid.contact_time / grid.steps_per_contact;
+        let h = settings.step();
         ground.set_step(h);
         let mut md = Self {
             stepper: S::start(&state.gaps, &state.rates, h, &chain, &ground),
             power: Power::default(),
             gravity: weight(scene),
             least_energy: weight(scene) * scene.diameter * masses.iter().sum::<f64>(),
-            origin: state.time,
-            n: 0,
-            flight: None,
-            skipped: 0,
+            grid: Grid::new(state.time, h),
             over: false,
             ground,
             chain,
             masses,
             springs,
-            steps_per_contact: grid.steps_per_contact,
-            h,
+            steps_per_contact: settings.steps_per_contact,
             state,
         };
         md.note_contacts();
@@ -97,34 +84,8 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         }
     }
 
-    pub(super) fn grid(&self, n: u64) -> f64 {
-        self.origin + n as f64 * self.h
-    }
-
-    /// The last grid point not after `until`.
-    fn last_step(&self, until: f64) -> u64 {
-        let estimate = ((until - self.origin) / self.h).max(0.0);
-        if estimate >= MOST_STEPS {
-            return u64::MAX;
-        }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "between 0 and 2^53"
-        )]
-        let mut n = estimate as u64;
-        while n > 0 && self.grid(n) > until {
-            n -= 1;
-        }
-        while self.grid(n + 1) <= until {
-            n += 1;
-        }
-        n
-    }
-
-    /// Does up to `steps` steps, not past a look at the numbers; how many it did.
+    /// Does up to `steps` steps, to where contacts change; how many it did.
     fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
-        let steps = steps.min(HOUSEKEEPING - self.n % HOUSEKEEPING);
         let (mut done, mut changed) = (0, false);
         while done < steps && !changed {
             changed = self
@@ -132,14 +93,14 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
                 .step(&self.chain, &mut self.ground, &mut self.power);
             done += 1;
         }
-        self.n += done;
+        self.grid.stepped(done);
         if changed {
             self.note_contacts();
             if self.over && self.lost_the_energy() {
                 return Err(self.unstable());
             }
         }
-        if self.n.is_multiple_of(HOUSEKEEPING) {
+        if self.grid.is_due() {
             self.housekeeping()?;
         }
         Ok(done)
@@ -159,24 +120,22 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     /// The gaps now, those of a flight included.
     pub(super) fn gaps(&self) -> Vec<f64> {
         let gaps = self.stepper.gaps();
-        let Some((from, _)) = self.flight else {
+        let Some(flown) = self.grid.flown() else {
             return gaps.collect();
         };
-        let flown = (self.n - from) as f64 * self.h;
         gaps.zip(self.rates()).map(|(g, w)| g + flown * w).collect()
     }
 
     /// What is accounted for, up to now.
     pub(super) fn ledger(&self) -> Ledger {
         let mut ledger = self.state.books.ledger;
-        fold(&mut ledger, &self.power, self.h);
+        fold(&mut ledger, &self.power, self.grid.h);
         ledger
     }
 
     /// Steps done.
     fn steps(&self) -> u64 {
-        let flying = self.flight.map_or(0, |(from, _)| self.n - from);
-        self.state.books.steps + self.n - self.skipped - flying
+        self.state.books.steps + self.grid.steps()
     }
 }
 
@@ -187,24 +146,20 @@ pub(super) fn fold(ledger: &mut Ledger, power: &Power, h: f64) {
 
 impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for Md<S, G, C> {
     fn time(&self) -> f64 {
-        self.grid(self.n)
+        self.grid.time()
     }
 
     fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
-        let target = self.last_step(until);
+        let target = self.grid.last_step(until);
         let mut left = budget;
         loop {
             self.fly(target);
-            if self.n >= target || left == 0 {
-                break;
+            let steps = self.grid.ahead(target, left);
+            if steps == 0 {
+                return Ok(self.grid.outcome(target, self.over));
             }
-            left -= self.run(left.min(target - self.n))?;
+            left -= self.run(steps)?;
         }
-        Ok(match (self.n >= target, self.over) {
-            (false, _) => Outcome::OutOfBudget,
-            (true, true) => Outcome::Over,
-            (true, false) => Outcome::Reached,
-        })
     }
 
     fn is_over(&self) -> bool {

@@ -19,8 +19,8 @@ pub(crate) const CORRECTOR: [f64; 6] = [
     1.0 / 60.0,
 ];
 
-/// r₀ to r₅ of one gap, or of a group.
-type Derivatives<T> = [T; 6];
+/// r₀ to r₅ of one number that moves, or of a group.
+pub(crate) type Derivatives<T> = [T; 6];
 
 pub(crate) struct Gear {
     n: usize,
@@ -32,7 +32,7 @@ pub(crate) struct Gear {
 
 /// The Taylor series, a step on: Pascal's triangle, in sums alone.
 #[inline]
-fn predicted<T: Number>([a, b, c, d, e, f]: Derivatives<T>) -> Derivatives<T> {
+pub(crate) fn predicted<T: Number>([a, b, c, d, e, f]: Derivatives<T>) -> Derivatives<T> {
     let e1 = e + f;
     let d1 = d + e1;
     let c1 = c + d1;
@@ -48,7 +48,7 @@ fn predicted<T: Number>([a, b, c, d, e, f]: Derivatives<T>) -> Derivatives<T> {
 
 /// Derivatives set right, r₂ being `truth`.
 #[inline]
-fn corrected<T: Number>([a, b, c, d, e, f]: Derivatives<T>, truth: T) -> Derivatives<T> {
+pub(crate) fn corrected<T: Number>([a, b, c, d, e, f]: Derivatives<T>, truth: T) -> Derivatives<T> {
     let delta = truth - c;
     [
         a + delta * CORRECTOR[0],

@@ -108,7 +108,7 @@ pub(super) fn flush(row: &mut [Lane]) {
 }
 
 /// The same for one number.
-pub(super) fn flushed(x: f64) -> f64 {
+pub(crate) fn flushed(x: f64) -> f64 {
     if x.abs() < NEGLIGIBLE { 0.0 } else { x }
 }
 
