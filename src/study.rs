@@ -18,7 +18,7 @@ pub mod sweep;
 pub mod table;
 mod vary;
 
-pub use drive::{Allowance, Drive, RunError, SLICE, Watch, natural_time};
+pub use drive::{Allowance, Drive, RunError, SLICE, Watch, in_time, natural_time};
 pub use measure::{Results, measure};
 pub use sensitivity::{
     Sensitivity, at_the_end, digits, in_its_digits, is_cheap, rounded, sensitivity,

@@ -3,6 +3,7 @@
 use crate::physics::{self, Engine, EngineError, Observation, Outcome};
 use crate::scene::{MethodName, Scene, Start};
 use std::ops::ControlFlow;
+use std::time::Instant;
 
 /// Bead steps between two looks; about 10 ms.
 const BEAD_STEPS: usize = 2_000_000;
@@ -20,6 +21,17 @@ const PATIENCE: f64 = 0.05;
 
 /// Who looks on: is told the simulated time every few milliseconds, s, and may stop the run.
 pub type Watch<'a> = dyn FnMut(f64) -> ControlFlow<()> + 'a;
+
+/// Stops a run at the end of its time.
+pub fn in_time(end: Instant) -> impl FnMut(f64) -> ControlFlow<()> {
+    move |_| {
+        if Instant::now() < end {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    }
+}
 
 /// Why a run has no end.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -6,7 +6,7 @@ use crate::scene::{MethodName, Scene, Start};
 use crate::study::fit::{median, slope};
 use crate::study::plot::{Axis, Plot, Series};
 use crate::study::table::{Cell, Column, Digits, Table};
-use crate::study::{Drive, RunError, Tell, digits, one_ulp_off, rounded};
+use crate::study::{Drive, RunError, Tell, digits, in_time, one_ulp_off, rounded};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -57,7 +57,7 @@ pub(super) fn report(
     let started = Instant::now();
     tell("the exact run", 0.0);
     let share = effort.time / 4;
-    let mut in_share = |_| within(started, share);
+    let mut in_share = in_time(started + share);
     let first = run(Drive::new(reference, &mut in_share), reference, &[]);
     let first = first.map_err(|error| match error {
         RunError::Stopped { .. } => AccuracyError::TooSlow {
@@ -79,8 +79,8 @@ pub(super) fn report(
     for candidate in all {
         let label = format!("{} {}", candidate.method.as_str(), candidate.setting());
         tell(&label, 0.5 * rows.len() as f64 / count);
-        let mut in_time = |_| within(started, effort.time);
-        let drive = Drive::new(&candidate.scene, &mut in_time);
+        let mut watch = in_time(started + effort.time);
+        let drive = Drive::new(&candidate.scene, &mut watch);
         let outcome = run(drive, &candidate.scene, &times).map(|run| {
             let errors = if candidate.is_reference() {
                 sensitivity
@@ -100,14 +100,6 @@ pub(super) fn report(
         tables: vec![table(&rows, &truth, sensitivity), orders(&rows)],
         plots: vec![plot(&rows)],
     })
-}
-
-fn within(started: Instant, time: Duration) -> ControlFlow<()> {
-    if started.elapsed() < time {
-        ControlFlow::Continue(())
-    } else {
-        ControlFlow::Break(())
-    }
 }
 
 /// |v₀| t_c, m, the unit of the trajectory's error.
@@ -186,7 +178,7 @@ fn measure_times(rows: &mut [Row], started: Instant, most: Duration, tell: &mut 
                 continue;
             }
             // The first run of all is always there, whatever the time.
-            if round > 0 && within(started, most).is_break() {
+            if round > 0 && started.elapsed() >= most {
                 return;
             }
             let mut unwatched = |_| ControlFlow::Continue(());

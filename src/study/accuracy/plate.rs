@@ -8,8 +8,7 @@ use crate::physics::Observation;
 use crate::scene::{MethodName, Scene};
 use crate::study::fit::slope;
 use crate::study::means::Means;
-use crate::study::{Drive, RunError, Tell, one_ulp_off};
-use std::ops::ControlFlow;
+use crate::study::{Drive, RunError, Tell, in_time, one_ulp_off};
 use std::time::{Duration, Instant};
 
 /// Looks at the column in a period.
@@ -172,16 +171,10 @@ enum Start {
 
 fn run(from: Start, scene: &Scene, looks: Looks, most: Duration) -> Result<Run, (RunError, f64)> {
     let started = Instant::now();
-    let mut in_time = |_| {
-        if started.elapsed() < most {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
-    };
+    let mut watch = in_time(started + most);
     let mut drive = match from {
-        Start::Exactly => Drive::new(scene, &mut in_time),
-        Start::OneUlpOff => Drive::of(one_ulp_off(scene, 0), scene, &mut in_time),
+        Start::Exactly => Drive::new(scene, &mut watch),
+        Start::OneUlpOff => Drive::of(one_ulp_off(scene, 0), scene, &mut watch),
     };
     let mut run = Run::default();
     let followed = follow(&mut drive, scene.n, looks, &mut run);

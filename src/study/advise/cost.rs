@@ -5,8 +5,7 @@ use crate::physics::{Observation, spectrum};
 use crate::scene::parameters::Value;
 use crate::scene::{Integrator, Law, Method, MethodName, Scene, Solver};
 use crate::study::fit::median;
-use crate::study::{Drive, Results, RunError, Tell, measure, vary};
-use std::ops::ControlFlow;
+use crate::study::{Drive, Results, RunError, Tell, in_time, measure, vary};
 use std::time::{Duration, Instant};
 
 /// Runs of one method; the middle one counts.
@@ -142,14 +141,8 @@ fn cost(scene: &Scene, turns: &[Result<Turn, RunError>]) -> Cost {
 /// A whole floor collision.
 fn collision(scene: &Scene, most: Duration) -> Result<Turn, RunError> {
     let started = Instant::now();
-    let mut in_time = |_| {
-        if started.elapsed() < most {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
-    };
-    let results = measure(scene, &mut Drive::new(scene, &mut in_time))?;
+    let mut watch = in_time(started + most);
+    let results = measure(scene, &mut Drive::new(scene, &mut watch))?;
     let seconds = started.elapsed().as_secs_f64();
     let work = results.steps + results.events;
     Ok((work as f64, seconds, Some(results)))
@@ -160,14 +153,8 @@ fn followed(scene: &Scene, turn: Duration) -> Result<Turn, RunError> {
     let fall = (scene.diameter / scene.gravity.unwrap_or(f64::NAN)).sqrt();
     let period = scene.period().unwrap_or(fall);
     let started = Instant::now();
-    let mut too_long = |_| {
-        if started.elapsed() < PATIENCE * turn {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
-    };
-    let mut drive = Drive::new(scene, &mut too_long);
+    let mut watch = in_time(started + PATIENCE * turn);
+    let mut drive = Drive::new(scene, &mut watch);
     let mut seen = Observation::default();
     let mut until = 0.0;
     // What only falls has an end; what is shaken goes on.

@@ -5,8 +5,8 @@ use crate::physics::{Engine, Observation, build};
 use crate::scene::Scene;
 use crate::study::means::{Mean, Means};
 use crate::study::measure::stacking_height;
-use crate::study::{Drive, RunError, measure, one_ulp_off};
-use std::ops::{ControlFlow, Range};
+use crate::study::{Drive, RunError, in_time, measure, one_ulp_off};
+use std::ops::Range;
 use std::time::Instant;
 
 /// Looks at a shaken column in a period.
@@ -316,16 +316,6 @@ fn error_of(mean: Mean, one: Option<Mean>, other: Option<Mean>) -> f64 {
     let apart = one.zip(other).map(|(a, b)| 0.5 * (a.value - b.value).abs());
     let both = mean.error.zip(apart);
     both.map_or(f64::INFINITY, |(error, apart)| error.max(apart))
-}
-
-fn in_time(end: Instant) -> impl FnMut(f64) -> ControlFlow<()> {
-    move |_| {
-        if Instant::now() < end {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
-    }
 }
 
 /// A run with one right answer: its results, and what the last bit of the start changes.
