@@ -53,3 +53,22 @@ pub fn json(arguments: &[&str]) -> serde_json::Value {
     let all = [&["run"], arguments, &["--format", "json"]].concat();
     serde_json::from_str(&printed(&all)).expect("one JSON object")
 }
+
+/// Header and rows of CSV text.
+pub fn table(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let header = reader
+        .headers()
+        .expect("a header")
+        .iter()
+        .map(String::from)
+        .collect();
+    let row = |record: csv::StringRecord| record.iter().map(String::from).collect();
+    (
+        header,
+        reader
+            .records()
+            .map(|record| row(record.expect("a row")))
+            .collect(),
+    )
+}
