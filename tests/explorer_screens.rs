@@ -47,7 +47,7 @@ fn everything_needed_to_teach_is_on_80_by_24() {
         "t/T",
         "a/A",
         "f/F",
-        "1/20 real time",
+        "1/20",
         "gap×",
         "drift",
         "space",
