@@ -334,8 +334,8 @@ impl<G: Ground> Engine for Exact<G> {
             }
             left -= 1;
             // An observation may have moved `now` on, but never past this.
-            self.now = t;
-            self.carry_out(i, t)?;
+            self.now = self.now.max(t);
+            self.carry_out(i, self.now)?;
             self.look_whether_over();
             self.move_epoch();
         }

@@ -1,64 +1,64 @@
-//! The smallest of many keys, in a tree of matches: O(log n) a change, O(1) a look.
+//! The smallest of many keys, in a tree of matches: O(log n) a change, O(log n) a look.
+//!
+//! Sixteen meet in a match, two beside each other, without a branch that nobody could
+//! predict; up to sixteen keys need no tree at all.
 
-/// A key and whose it is, in one number: the smaller key wins, of equal ones the lower
-/// index, without a branch that nobody could predict.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Player(u128);
+use wide::f64x2;
 
-impl Player {
-    fn new(key: f64, index: usize) -> Self {
-        // Zero has one sign; the bits of negative numbers fall as the numbers rise.
-        let bits = (key + 0.0).to_bits();
-        let ordered = if bits >> 63 == 0 {
-            bits | 1 << 63
-        } else {
-            !bits
-        };
-        Self(u128::from(ordered) << 64 | index as u128)
-    }
+/// Who meet in one match.
+const WIDE: usize = 16;
+const PAIRS: usize = WIDE / 2;
 
-    fn key(self) -> f64 {
-        let ordered = (self.0 >> 64) as u64;
-        f64::from_bits(if ordered >> 63 == 1 {
-            ordered & !(1 << 63)
-        } else {
-            !ordered
-        })
-    }
+/// Keys, or winners of the matches below.
+type Match = [f64; WIDE];
 
-    fn index(self) -> usize {
-        self.0 as usize
-    }
+fn pairs(keys: &Match) -> [f64x2; PAIRS] {
+    std::array::from_fn(|k| f64x2::new([keys[2 * k], keys[2 * k + 1]]))
+}
+
+/// The smallest key of a match.
+#[inline]
+fn least(keys: &Match) -> f64 {
+    let [a, b, c, d, e, f, g, h] = pairs(keys);
+    let low = a.fast_min(b).fast_min(c.fast_min(d));
+    let high = e.fast_min(f).fast_min(g.fast_min(h));
+    let [x, y] = low.fast_min(high).to_array();
+    if x < y { x } else { y }
+}
+
+/// The first seat of a match that has the key `least`, which is one of them.
+#[inline]
+fn seat(keys: &Match, least: f64) -> usize {
+    let least = f64x2::splat(least);
+    let here = pairs(keys).map(|pair| pair.simd_eq(least).to_bitmask());
+    let seats = (0..PAIRS).fold(0, |seats, k| seats | here[k] << (2 * k));
+    seats.trailing_zeros() as usize % WIDE
 }
 
 /// Keys by index; the winner is the smallest, of equal ones the lowest index.
 #[derive(Debug, Clone)]
 pub(crate) struct Tournament {
-    /// Winner of each match; 1 is the final, and the keys themselves start at `leaves`.
-    nodes: Vec<Player>,
+    /// The final, the matches below it, and so on; last come those of the keys.
+    matches: Vec<Match>,
+    /// How many matches are between winners: the keys' come after them.
     leaves: usize,
+    /// Where the keys start.
+    keys: usize,
 }
 
 impl Tournament {
     /// `n` keys, all infinite.
     pub fn new(n: usize) -> Self {
-        let leaves = n.next_power_of_two();
-        let player = |i: usize| Player::new(f64::INFINITY, i.saturating_sub(leaves));
-        let mut tree = Self {
-            nodes: (0..2 * leaves).map(player).collect(),
+        let needed = n.div_ceil(WIDE).max(1);
+        let (mut leaves, mut level) = (0, 1);
+        while level < needed {
+            leaves += level;
+            level *= WIDE;
+        }
+        Self {
+            matches: vec![[f64::INFINITY; WIDE]; leaves + needed],
             leaves,
-        };
-        tree.play_all();
-        tree
-    }
-
-    fn play(&mut self, node: usize) {
-        self.nodes[node] = self.nodes[2 * node].min(self.nodes[2 * node + 1]);
-    }
-
-    fn play_all(&mut self) {
-        for node in (1..self.leaves).rev() {
-            self.play(node);
+            keys: leaves * WIDE,
         }
     }
 
@@ -69,45 +69,59 @@ impl Tournament {
     }
 
     /// Sets key `i`, whose matches are to be played by [`Self::play_again`]. That of
-    /// neighbours costs hardly more than that of one: most of their matches are the same.
+    /// neighbours costs hardly more than that of one: most of their matches are the
+    /// same. What is not a number comes first, so that somebody looks at it.
+    #[inline]
     pub fn write(&mut self, i: usize, key: f64) {
-        self.nodes[self.leaves + i] = Player::new(key, i);
+        let first = f64::NEG_INFINITY;
+        let i = self.keys + i;
+        self.matches.as_flattened_mut()[i] = if key > first { key } else { first };
     }
 
     /// Plays the matches of the keys from `low` to `high` again.
+    #[inline]
     pub fn play_again(&mut self, low: usize, high: usize) {
-        let (mut low, mut high) = (self.leaves + low, self.leaves + high);
-        while low < high {
-            (low, high) = (low / 2, high / 2);
-            for node in low..=high {
-                self.play(node);
+        let (mut low, mut high) = (self.leaves + low / WIDE, self.leaves + high / WIDE);
+        while low > 0 {
+            let mut changed = false;
+            for i in low..=high {
+                let least = least(&self.matches[i]);
+                let seat = &mut self.matches.as_flattened_mut()[i - 1];
+                changed |= *seat != least;
+                *seat = least;
             }
-        }
-        let mut winner = self.nodes[low];
-        while low > 1 {
-            winner = winner.min(self.nodes[low ^ 1]);
-            low /= 2;
-            self.nodes[low] = winner;
+            if !changed {
+                return;
+            }
+            (low, high) = ((low - 1) / WIDE, (high - 1) / WIDE);
         }
     }
 
     /// Key `i`.
     pub fn get(&self, i: usize) -> f64 {
-        self.nodes[self.leaves + i].key()
+        self.matches.as_flattened()[self.keys + i]
     }
 
     /// The winner and its key.
+    #[inline]
     pub fn first(&self) -> (usize, f64) {
-        (self.nodes[1].index(), self.nodes[1].key())
+        let least = least(&self.matches[0]);
+        let mut i = 0;
+        loop {
+            let seat = seat(&self.matches[i], least);
+            if i >= self.leaves {
+                return ((i - self.leaves) * WIDE + seat, least);
+            }
+            i = i * WIDE + 1 + seat;
+        }
     }
 
-    /// Subtracts `shift` from every key, which keeps all winners but of keys that become
-    /// equal.
+    /// Subtracts `shift` from every key. Rounding keeps their order, so that no match has
+    /// to be played again.
     pub fn shift(&mut self, shift: f64) {
-        for player in &mut self.nodes[self.leaves..] {
-            *player = Player::new(player.key() - shift, player.index());
+        for key in self.matches.as_flattened_mut() {
+            *key -= shift;
         }
-        self.play_all();
     }
 }
 
@@ -117,7 +131,7 @@ mod tests {
 
     #[test]
     fn agrees_with_a_linear_search() {
-        for n in [1, 2, 3, 12, 100] {
+        for n in [1, 2, 3, 12, 17, 100, 257, 5000] {
             let mut tree = Tournament::new(n);
             let mut keys = vec![f64::INFINITY; n];
             let mut random = 12345_u64;
@@ -138,10 +152,24 @@ mod tests {
                     tree.write(k, key);
                 }
                 tree.play_again(i, j);
+                if random.is_multiple_of(11) {
+                    tree.shift(0.1);
+                    for key in &mut keys {
+                        *key -= 0.1;
+                    }
+                }
                 let least = keys.iter().copied().fold(f64::INFINITY, f64::min);
                 let (winner, found) = tree.first();
                 assert!(found == least && keys.iter().position(|&k| k == least) == Some(winner));
             }
         }
+    }
+
+    #[test]
+    fn what_is_not_a_number_comes_first() {
+        let mut tree = Tournament::new(40);
+        tree.set(7, -1e300);
+        tree.set(33, f64::NAN);
+        assert_eq!(tree.first(), (33, f64::NEG_INFINITY));
     }
 }
