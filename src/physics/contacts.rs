@@ -1,7 +1,7 @@
 //! Which gaps are contacts, when contacts begin and end, and the free flights between.
 
 /// Parts of a plate period in which flights are counted together.
-const BUCKETS: u64 = 64;
+const BUCKETS: i64 = 64;
 
 /// The contacts of a column so far.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,25 +19,24 @@ pub(crate) struct ContactLog {
 /// start. In buckets, so that memory is bounded however many collisions a period has.
 #[derive(Debug, Clone, PartialEq)]
 struct Flights {
-    period: Option<f64>,
-    buckets: Vec<(u64, f64, u64)>,
+    /// The plate's, s; infinite without one, so that all flights are counted alike.
+    period: f64,
+    buckets: Vec<(i64, f64, u64)>,
 }
 
 impl Flights {
-    fn new(period: Option<f64>) -> Self {
-        let len = if period.is_some() { BUCKETS } else { 1 };
+    fn new(period: f64) -> Self {
+        let len = if period.is_finite() { BUCKETS } else { 1 };
         let buckets = (0..len).map(|_| (0, 0.0, 0)).collect();
         Self { period, buckets }
     }
 
-    fn serial(&self, time: f64) -> u64 {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a count of 64ths of a period"
-        )]
-        self.period
-            .map_or(0, |period| (time / period * BUCKETS as f64) as u64)
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "a count of 64ths of a period"
+    )]
+    fn serial(&self, time: f64) -> i64 {
+        (time / self.period * BUCKETS as f64) as i64
     }
 
     fn add(&mut self, time: f64, flight: f64) {
@@ -73,7 +72,7 @@ impl ContactLog {
             floor: (closed[0].then_some(time), None),
             closed,
             last: None,
-            flights: Flights::new(period),
+            flights: Flights::new(period.unwrap_or(f64::INFINITY)),
         }
     }
 
@@ -87,6 +86,7 @@ impl ContactLog {
 
     /// Goes on with another plate period.
     pub fn set_period(&mut self, period: Option<f64>) {
+        let period = period.unwrap_or(f64::INFINITY);
         if self.flights.period != period {
             self.flights = Flights::new(period);
         }
@@ -115,6 +115,20 @@ impl ContactLog {
             self.begins(i, time);
             self.ends(i, time);
         }
+    }
+
+    /// The same of gap `i` above the floor's, when those beside it are no contacts.
+    #[inline]
+    pub fn touch_alone(&mut self, i: usize, time: f64) {
+        if !self.all_open() {
+            self.note(i - 1, false, time);
+            self.note(i, false, time);
+            if i + 1 < self.closed.len() {
+                self.note(i + 1, false, time);
+            }
+        }
+        self.begins(i, time);
+        self.ends(i, time);
     }
 
     fn begins(&mut self, i: usize, time: f64) {

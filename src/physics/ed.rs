@@ -7,9 +7,10 @@
 
 mod cascade;
 mod chatter;
+mod pair;
 mod rule;
 
-use super::column::{masses, much_to_come, nothing_to_come, reduced_mass, restitutions};
+use super::column::{masses, much_to_come, nothing_to_come};
 use super::flight::{Free, Ground, Shaken, Weight, closing};
 use super::ledger::Ledger;
 use super::moment::Moment;
@@ -19,6 +20,7 @@ use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{CollisionRule, Floor, Method, Scene, Start};
 use chatter::Chatter;
+use pair::{Pair, pairs};
 use rule::{Always, LastCollisions, Rule};
 
 /// Part of the scene's own speed below which an approach counts as none: the
@@ -64,13 +66,20 @@ struct Gap {
     t: f64,
 }
 
+impl Gap {
+    /// The gap at `t`, where neither gravity nor the plate bends it.
+    #[inline]
+    fn at(&self, t: f64) -> f64 {
+        self.g + self.w * (t - self.t)
+    }
+}
+
 /// A hard column.
 struct Ed<G, R> {
     ground: G,
     rule: R,
     masses: Vec<f64>,
-    reduced: Vec<f64>,
-    restitution: Vec<f64>,
+    pairs: Vec<Pair>,
     gravity: f64,
     gaps: Vec<Gap>,
     /// How many beads rest on the floor and move with it.
@@ -82,9 +91,10 @@ struct Ed<G, R> {
     /// Which cascade a gap last collided in.
     collided: Vec<u64>,
     cascades: u64,
-    /// Time of the epoch: `origin`, s, and `ticks` of the ground's.
+    /// Time of the epoch: `origin`, s, and some of the ground's ticks after it. These
+    /// are powers of two, so that moving the epoch changes no bit of any absolute time.
     origin: f64,
-    ticks: u64,
+    epoch: f64,
     /// Now, s from the epoch.
     now: f64,
     /// Energy per mass of the floor when the stack last changed.
@@ -109,8 +119,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             (None, Start::Resting) => 0.0,
         };
         let mut ed = Self {
-            reduced: (0..n).map(|i| reduced_mass(&masses, i)).collect(),
-            restitution: restitutions(scene, &masses),
+            pairs: pairs(scene, &masses),
             gravity: weight(scene),
             gaps: state
                 .gaps
@@ -124,7 +133,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             collided: vec![0; n],
             cascades: 0,
             origin: state.time,
-            ticks: 0,
+            epoch: 0.0,
             now: 0.0,
             ride_from: 0.0,
             threshold: LRV_THRESHOLD * speed,
@@ -172,19 +181,9 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.queue.set(self.gaps.len() + 1, self.ground.tick());
     }
 
-    /// The epoch, s from the origin. Ticks are powers of two, so that moving the epoch
-    /// changes no bit of any absolute time.
-    fn epoch(&self) -> f64 {
-        if self.ticks == 0 {
-            0.0
-        } else {
-            self.ticks as f64 * self.ground.tick()
-        }
-    }
-
     /// Simulated time of `t`, s.
     fn absolute(&self, t: f64) -> f64 {
-        self.origin + (self.epoch() + t)
+        self.origin + (self.epoch + t)
     }
 
     fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
@@ -205,11 +204,11 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Gap `i` and its rate at time `t`.
     fn at(&self, i: usize, t: f64) -> (f64, f64) {
-        let Gap { g, w, t: t0 } = self.gaps[i];
+        let gap = &self.gaps[i];
         if G::PULLS && i == self.stack {
-            self.ground.fall(t0, g, w, t)
+            self.ground.fall(gap.t, gap.g, gap.w, t)
         } else {
-            (g + w * (t - t0), w)
+            (gap.at(t), gap.w)
         }
     }
 
@@ -223,16 +222,21 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         };
     }
 
+    /// When gap `i` closes.
+    #[inline]
+    fn closes(&self, i: usize) -> f64 {
+        let Gap { g, w, t } = self.gaps[i];
+        match () {
+            () if i < self.stack => f64::INFINITY,
+            () if G::PULLS && i == self.stack => self.ground.hit(t, g, w),
+            () => closing(t, g, w),
+        }
+    }
+
     /// Schedules the gaps from `low` to `high`.
     fn schedule(&mut self, low: usize, high: usize) {
         for i in low..=high {
-            let Gap { g, w, t } = self.gaps[i];
-            let time = match () {
-                () if i < self.stack => f64::INFINITY,
-                () if G::PULLS && i == self.stack => self.ground.hit(t, g, w),
-                () => closing(t, g, w),
-            };
-            self.queue.write(i, time);
+            self.queue.write(i, self.closes(i));
         }
         self.queue.play_again(low, high);
     }
@@ -287,7 +291,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     fn move_epoch(&mut self) {
         let tick = self.ground.tick();
         self.ground.move_epoch();
-        self.ticks += 1;
+        self.epoch += tick;
         for gap in &mut self.gaps {
             gap.t -= tick;
         }
@@ -298,12 +302,12 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.queue.set(self.gaps.len() + 1, tick);
     }
 
-    /// Whether a floor collision without gravity is over, looked at now and then.
-    fn look_whether_over(&mut self) {
+    /// Whether a floor collision without gravity is over, looked at now and then, as
+    /// event `next` is to come.
+    fn look_whether_over(&mut self, (next, when): (usize, f64)) {
         if G::PULLS || self.over {
             return;
         }
-        let (next, when) = self.queue.first();
         let never = when.is_infinite();
         if !never && self.state.books.events < self.check_at {
             return;
@@ -326,14 +330,15 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
     fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
         let n = self.gaps.len();
         let (collisions, mut others) = (self.state.books.events, 0);
+        let mut next = self.queue.first();
         loop {
-            let (i, t) = self.queue.first();
+            let (i, t) = next;
             // As `next_event` says it, so that advancing to there includes the event.
             if self.absolute(t) > until || t.is_infinite() {
                 // Not past the next event, which rounding could do.
-                let end = ((until - self.origin) - self.epoch()).min(t);
+                let end = ((until - self.origin) - self.epoch).min(t);
                 self.now = self.now.max(end);
-                self.look_whether_over();
+                self.look_whether_over(next);
                 return Ok(if self.over {
                     Outcome::Over
                 } else {
@@ -351,7 +356,8 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
                 std::cmp::Ordering::Equal => self.take_off(self.now),
                 std::cmp::Ordering::Greater => self.move_epoch(),
             }
-            self.look_whether_over();
+            next = self.queue.first();
+            self.look_whether_over(next);
         }
     }
 

@@ -78,11 +78,7 @@ impl Ground for Free {
 
 /// When a gap that changes at a constant rate closes.
 pub(crate) fn closing(t0: f64, g: f64, w: f64) -> f64 {
-    match () {
-        () if w >= 0.0 => f64::INFINITY,
-        () if g <= 0.0 => t0,
-        () => t0 - g / w,
-    }
+    std::hint::select_unpredictable(w >= 0.0, f64::INFINITY, t0 - g.max(0.0) / w)
 }
 
 /// A fixed floor under gravity.

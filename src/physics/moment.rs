@@ -65,13 +65,13 @@ impl Moment<'_> {
 
     /// The column in the floor's frame, as it arrives there or leaves.
     pub fn arrival(&self) -> Arrival {
-        let centre = centre_velocity(self.rates.iter().copied(), self.masses);
+        let (mass, centre) = centre(self.rates.iter().copied(), self.masses);
         let between = &self.gaps[1..];
         let separation = between.iter().map(|g| g.max(0.0)).sum::<f64>() / between.len() as f64;
         Arrival {
             time: self.time,
             period: self.plate.period(),
-            translation: translation(self.rates.iter().copied(), self.masses),
+            translation: 0.5 * mass * centre * centre.abs(),
             relative: self.relative(centre + self.plate.velocity()),
             crossing: (!between.is_empty() && centre != 0.0).then(|| separation / centre.abs()),
         }
@@ -124,19 +124,20 @@ impl Moment<'_> {
     }
 }
 
-/// Velocity of the centre of mass in the floor's frame, from the rates of the gaps.
-fn centre_velocity(rates: impl Iterator<Item = f64>, masses: &[f64]) -> f64 {
+/// Mass, and velocity of the centre of mass in the floor's frame, from the rates of the
+/// gaps.
+fn centre(rates: impl Iterator<Item = f64>, masses: &[f64]) -> (f64, f64) {
     let (mut u, mut mass, mut momentum) = (0.0, 0.0, 0.0);
     for (w, m) in rates.zip(masses) {
         u += w;
         mass += m;
         momentum += m * u;
     }
-    momentum / mass
+    (mass, momentum / mass)
 }
 
 /// What [`Arrival::translation`] is, from the rates of the gaps alone.
 pub(crate) fn translation(rates: impl Iterator<Item = f64>, masses: &[f64]) -> f64 {
-    let u = centre_velocity(rates, masses);
-    0.5 * masses.iter().sum::<f64>() * u * u.abs()
+    let (mass, u) = centre(rates, masses);
+    0.5 * mass * u * u.abs()
 }

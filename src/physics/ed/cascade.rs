@@ -14,6 +14,9 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// Gap `i` closes at time `t`: its collision, those of the beads in contact with
     /// it, and what comes to rest.
     pub(super) fn collide_at(&mut self, i: usize, t: f64) -> Result<(), EngineError> {
+        if self.pair_meets(i, t) {
+            return Ok(());
+        }
         self.sync(i, t);
         self.gaps[i].g = 0.0;
         self.chatter.collides(i, t);
@@ -99,7 +102,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// totally inelastic. Waves cross k beads in k²/2 collisions; only a cascade in
     /// collapse has many more, of the order of k³ until it is all spent.
     fn most_collisions(&self, k: usize) -> usize {
-        let elastic = self.restitution.last().copied().unwrap_or(1.0);
+        let elastic = self.pairs.last().map_or(1.0, |pair| pair.restitution);
         if k as f64 * (1.0 - elastic) > ABSORBING {
             10_000 + 20 * k
         } else {
@@ -111,19 +114,18 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     fn collide(&mut self, j: usize, t: f64) {
         let w = self.gaps[j].w;
         let elastic = self.rule.elastic(j.checked_sub(1), j, t);
-        let restitution = if elastic { 1.0 } else { self.restitution[j] };
-        let impulse = -(1.0 + restitution) * self.reduced[j] * w;
-        self.gaps[j].w = -restitution * w;
+        let pair = self.pairs[j];
+        let (after, change, lost) = pair.collide(w, elastic);
+        self.gaps[j].w = after;
         if j + 1 < self.gaps.len() {
-            self.gaps[j + 1].w -= impulse / self.masses[j];
+            self.gaps[j + 1].w -= change * pair.above;
         }
         if j > 0 {
-            self.gaps[j - 1].w -= impulse / self.masses[j - 1];
-        } else if G::PULLS {
-            let work = impulse * self.ground.plate(t).velocity();
+            self.gaps[j - 1].w -= change * pair.below;
+        } else if G::MOVES {
+            let work = pair.reduced * change * self.ground.plate(t).velocity();
             self.state.books.ledger.plate_work.add(work);
         }
-        let lost = 0.5 * self.reduced[j] * (1.0 - restitution * restitution) * w * w;
         self.state.books.ledger.lost.add(lost);
         self.state.books.events += 1;
         self.collided[j] = self.cascades;
@@ -179,8 +181,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
         let books = &mut self.state.books.ledger;
         books.lost.add(lost);
-        // Only the floor can take momentum; without it the pools conserve theirs.
-        if G::PULLS && on_floor {
+        // Only a moving floor does work; without it the pools conserve their momentum.
+        if G::MOVES && on_floor {
             books
                 .plate_work
                 .add(momentum * self.ground.plate(t).velocity());
@@ -198,7 +200,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let mut stack = 0;
         if pressing > 0.0 {
             for j in 0..=high {
-                let slowest = 0.5 * self.rest_time * pressing * (1.0 - self.restitution[j]);
+                let slowest = 0.5 * self.rest_time * pressing * (1.0 - self.pairs[j].restitution);
                 if self.gaps[j].w > slowest {
                     break;
                 }
@@ -224,8 +226,10 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 self.gaps[j + 1].w += w;
             }
             self.state.books.ledger.lost.add(0.5 * m * w * w);
-            let work = -m * w * self.ground.plate(t).velocity();
-            self.state.books.ledger.plate_work.add(work);
+            if G::MOVES {
+                let work = -m * w * self.ground.plate(t).velocity();
+                self.state.books.ledger.plate_work.add(work);
+            }
         }
         if g != 0.0 {
             // The last of a chattering gap closes: all above it come down by that much.

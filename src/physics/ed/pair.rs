@@ -1,0 +1,105 @@
+//! The commonest event: two beads meet in flight, away from everything else.
+
+use super::{Ed, Gap, Rule};
+use crate::physics::column::{reduced_mass, restitutions};
+use crate::physics::flight::{Ground, closing};
+use crate::scene::Scene;
+
+/// What a collision at a gap needs to know of its bodies.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pair {
+    /// Reduced mass m*.
+    pub reduced: f64,
+    pub restitution: f64,
+    /// Parts m*/m of a change of the gap's rate that the bead below (the floor: none)
+    /// and the one above take.
+    pub below: f64,
+    pub above: f64,
+}
+
+/// The pairs of a column; the first is the floor's with bead 1.
+pub(super) fn pairs(scene: &Scene, masses: &[f64]) -> Vec<Pair> {
+    let pair = |(i, restitution)| {
+        let reduced = reduced_mass(masses, i);
+        Pair {
+            reduced,
+            restitution,
+            below: if i == 0 { 0.0 } else { reduced / masses[i - 1] },
+            above: reduced / masses[i],
+        }
+    };
+    restitutions(scene, masses)
+        .into_iter()
+        .enumerate()
+        .map(pair)
+        .collect()
+}
+
+impl Pair {
+    /// The rate after a collision at rate `w`, its change, and the energy lost.
+    #[inline]
+    pub fn collide(&self, w: f64, elastic: bool) -> (f64, f64, f64) {
+        let restitution = if elastic { 1.0 } else { self.restitution };
+        let lost = 0.5 * self.reduced * (1.0 - restitution * restitution) * w * w;
+        (-restitution * w, -(1.0 + restitution) * w, lost)
+    }
+}
+
+impl<G: Ground, R: Rule> Ed<G, R> {
+    /// Two beads meet at gap `i`, and part; the gaps beside it stay open. Nearly every
+    /// event is of this kind, so it is done at the least cost. False, and nothing done,
+    /// where it is otherwise: [`Ed::collide_at`] sees to all kinds.
+    #[inline]
+    pub(super) fn pair_meets(&mut self, i: usize, t: f64) -> bool {
+        if i <= self.stack {
+            return false;
+        }
+        let [below, gap, above @ ..] = &mut self.gaps[i - 1..] else {
+            return false;
+        };
+        let lowest = G::PULLS && i - 1 == self.stack;
+        let (under, rate) = if lowest {
+            self.ground.fall(below.t, below.g, below.w, t)
+        } else {
+            (below.at(t), below.w)
+        };
+        let above = above.first_mut().map(|gap| (gap.at(t), gap));
+        let over = above.as_ref().map(|(over, _)| *over);
+        let (pair, w) = (self.pairs[i], gap.w);
+        let parts = w < -self.threshold && w.is_finite() && pair.restitution > 0.0;
+        if !parts || self.chatter.touch_beside(i, under, over) {
+            return false;
+        }
+        self.chatter.collides(i, t);
+        let elastic = self.rule.elastic(Some(i - 1), i, t);
+        let (after, change, lost) = pair.collide(w, elastic);
+        *gap = Gap {
+            g: 0.0,
+            w: after,
+            t,
+        };
+        self.queue.write(i, f64::INFINITY);
+        let (g, w) = (under.max(0.0), rate - change * pair.below);
+        *below = Gap { g, w, t };
+        let closes = if lowest {
+            self.ground.hit(t, g, w)
+        } else {
+            closing(t, g, w)
+        };
+        self.queue.write(i - 1, closes);
+        let mut high = i;
+        if let Some((over, gap)) = above {
+            let (g, w) = (over.max(0.0), gap.w - change * pair.above);
+            *gap = Gap { g, w, t };
+            high += 1;
+            self.queue.write(high, closing(t, g, w));
+        }
+        self.queue.play_again(i - 1, high);
+        let time = self.absolute(t);
+        let books = &mut self.state.books;
+        books.ledger.lost.add(lost);
+        books.events += 1;
+        books.contacts.touch_alone(i, time);
+        true
+    }
+}
