@@ -11,6 +11,7 @@ mod cluster;
 mod crossing;
 mod encounter;
 mod landing;
+mod pair;
 mod passage;
 mod repose;
 mod rest;
@@ -273,6 +274,14 @@ impl<G: Ground> Exact<G> {
         self.since += 1;
         let taken = t - self.gaps[i].t;
         self.instant = if taken > 0.0 { 0 } else { self.instant + 1 };
+        let done = match self.plans[i] {
+            Plan::Flight => self.pair_meets(i, t),
+            Plan::Encounter(contact) => self.pair_parts(i, contact, t),
+            _ => false,
+        };
+        if done {
+            return Ok(());
+        }
         let end = self.end[i];
         let change = self.finish(i, t);
         if let Some((gap, mode)) = change {

@@ -60,14 +60,10 @@ impl<G: Ground> Exact<G> {
 
     /// Plans one cluster, whose matches in the queue are left to play.
     fn plan(&mut self, low: usize, high: usize) {
-        let Gap { g, w, t } = self.gaps[low];
+        let t = self.gaps[low].t;
         let until = if high == low + 1 && self.modes[low] == Mode::Open {
             self.plans[low] = Plan::Flight;
-            if G::PULLS && low == 0 {
-                self.ground.hit(t, g, w)
-            } else {
-                closing(t, g, w)
-            }
+            self.closes(low)
         } else if let Some((i, lasts)) = self.plan_encounter(low, high) {
             self.plans[low] = Plan::Encounter(i);
             t + lasts
@@ -81,6 +77,16 @@ impl<G: Ground> Exact<G> {
             self.plan_series(low, high)
         };
         self.queue.write(low, until);
+    }
+
+    /// When gap `i`, in flight, closes.
+    pub(super) fn closes(&self, i: usize) -> f64 {
+        let Gap { g, w, t } = self.gaps[i];
+        if G::PULLS && i == 0 {
+            self.ground.hit(t, g, w)
+        } else {
+            closing(t, g, w)
+        }
     }
 
     /// 1/m of the beads below (0: the floor) and above gap `i`.

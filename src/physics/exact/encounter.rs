@@ -51,7 +51,7 @@ impl Encounter {
     }
 
     /// Gap and rate a time `tau` after it closed at a rate of `w`.
-    fn at(&self, w: f64, tau: f64) -> (f64, f64) {
+    pub fn at(&self, w: f64, tau: f64) -> (f64, f64) {
         if tau >= self.lasts {
             return (0.0, -self.restitution * w);
         }
@@ -62,7 +62,7 @@ impl Encounter {
     }
 
     /// What it has lost then, m²/s².
-    fn lost(&self, w: f64, tau: f64) -> f64 {
+    pub fn lost(&self, w: f64, tau: f64) -> f64 {
         let (g, now) = self.at(w, tau);
         0.5 * self.reduced * (w - now) * (w + now) - 0.5 * self.stiffness * g * g
     }
@@ -86,16 +86,17 @@ impl<G: Ground> Exact<G> {
             return None;
         }
         let lasts = self.encounters[i].as_ref()?.lasts;
-        // The overlap pushes neighbours' gaps open; without it they change at constant
-        // rates, gap 0 with at most g + Aω² less: they are least at either end.
-        let stays_open = |j: usize| {
-            let falls = if G::PULLS && j == 0 { self.pull } else { 0.0 };
-            let rate = self.gaps[j].w + self.share(i, j) * w;
-            let gap = self.gaps[j].g;
-            gap > 0.0 && gap + (rate - 0.5 * falls * lasts) * lasts > 0.0
-        };
-        let free = (low..high).all(|j| j == i || stays_open(j));
-        free.then_some((i, lasts))
+        let beside = |j: usize| j == i || self.stays_open(i, j, self.gaps[j], w, lasts);
+        (low..high).all(beside).then_some((i, lasts))
+    }
+
+    /// Whether gap `j` beside contact `i`, just closed at a rate of `w`, is open until
+    /// that opens. The overlap pushes it open; without that it would change at a constant
+    /// rate, gap 0 with at most g + Aω² less: it is least at either end.
+    pub(super) fn stays_open(&self, i: usize, j: usize, gap: Gap, w: f64, lasts: f64) -> bool {
+        let falls = if G::PULLS && j == 0 { self.pull } else { 0.0 };
+        let rate = gap.w + self.share(i, j) * w;
+        gap.g > 0.0 && gap.g + (rate - 0.5 * falls * lasts) * lasts > 0.0
     }
 
     /// Part of contact `i`'s relative acceleration that the bead between it and gap `j`
@@ -119,21 +120,34 @@ impl<G: Ground> Exact<G> {
         };
         let tau = self.since(low, t, encounter.lasts);
         let w = self.gaps[i].w;
-        let (over, now) = encounter.at(w, tau);
+        let now = encounter.at(w, tau);
         for j in low..self.end[low] {
-            (gaps[j - low], rates[j - low]) = if j == i {
-                (over, now)
-            } else {
-                let Gap { g, w: rate, t: t0 } = self.gaps[j];
-                let (g, rate) = if G::PULLS && j == 0 {
-                    self.ground.fall(t0, g, rate, t0 + tau)
-                } else {
-                    (g + rate * tau, rate)
-                };
-                let share = self.share(i, j);
-                (g + share * (w * tau - over), rate + share * (w - now))
-            };
+            (gaps[j - low], rates[j - low]) = self.beside(i, j, tau, w, now);
         }
+    }
+
+    /// Gap `j` and its rate a time `tau` after contact `i` closed at a rate of `w`, being
+    /// `now` with its rate.
+    pub(super) fn beside(
+        &self,
+        i: usize,
+        j: usize,
+        tau: f64,
+        w: f64,
+        now: (f64, f64),
+    ) -> (f64, f64) {
+        if j == i {
+            return now;
+        }
+        let Gap { g, w: rate, t: t0 } = self.gaps[j];
+        let (g, rate) = if G::PULLS && j == 0 {
+            self.ground.fall(t0, g, rate, t0 + tau)
+        } else {
+            (g + rate * tau, rate)
+        };
+        let (over, now) = now;
+        let share = self.share(i, j);
+        (g + share * (w * tau - over), rate + share * (w - now))
     }
 
     /// Books what contact `i` has lost up to `t`.

@@ -12,6 +12,11 @@ use crate::physics::power_law::Spring;
 /// numbers, which are slow.
 const NOTHING: f64 = 1e-200;
 
+/// Itself, or zero where it is nothing.
+pub(super) fn flush(x: f64) -> f64 {
+    if x.abs() < NOTHING { 0.0 } else { x }
+}
+
 impl<G: Ground> Exact<G> {
     /// Ends the plan of the cluster that starts at `low`, at its end `t`; what changes.
     pub(super) fn finish(&mut self, low: usize, t: f64) -> Option<(usize, Mode)> {
@@ -36,7 +41,6 @@ impl<G: Ground> Exact<G> {
         self.at(low, t, &mut room.a, &mut room.b);
         let moved = room.a.iter().zip(&room.b);
         for (gap, (&g, &w)) in self.gaps[low..high].iter_mut().zip(moved) {
-            let flush = |x: f64| if x.abs() < NOTHING { 0.0 } else { x };
             let (g, w) = (flush(g), flush(w));
             *gap = Gap { g, w, t };
         }
@@ -62,12 +66,8 @@ impl<G: Ground> Exact<G> {
     /// Gaps and rates of the cluster that starts at `low`, at `t`; and zeros behind, in
     /// rows that have room for whole lanes.
     pub(super) fn at(&self, low: usize, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
-        let Gap { g, w, t: t0 } = self.gaps[low];
         match self.plans[low] {
-            Plan::Flight if G::PULLS && low == 0 => {
-                (gaps[0], rates[0]) = self.ground.fall(t0, g, w, t);
-            }
-            Plan::Flight => (gaps[0], rates[0]) = (g + w * (t - t0), w),
+            Plan::Flight => (gaps[0], rates[0]) = self.flight(low, t),
             Plan::Series { h, reach, .. } => {
                 let s = self.progress(low, t, h, reach);
                 self.series(low, h).evaluate(s, gaps, rates);
@@ -75,6 +75,16 @@ impl<G: Ground> Exact<G> {
             Plan::Encounter(i) => self.at_encounter(low, i, t, gaps, rates),
             Plan::Landing => self.at_landing(t, gaps, rates),
             Plan::Rest => self.at_rest(t, gaps, rates),
+        }
+    }
+
+    /// Gap `i`, in flight, and its rate at `t`.
+    pub(super) fn flight(&self, i: usize, t: f64) -> (f64, f64) {
+        let Gap { g, w, t: t0 } = self.gaps[i];
+        if G::PULLS && i == 0 {
+            self.ground.fall(t0, g, w, t)
+        } else {
+            (g + w * (t - t0), w)
         }
     }
 
