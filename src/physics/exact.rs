@@ -378,15 +378,20 @@ impl<G: Ground> Engine for Exact<G> {
 impl<G: Ground> Exact<G> {
     fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
         let n = self.gaps.len();
-        let (mut gaps, mut rates) = (vec![0.0; n + PADDING], vec![0.0; n + PADDING]);
+        let Room { mut a, mut b, .. } = Room::of(n);
+        self.all_at(t, &mut a, &mut b);
+        a.truncate(n);
+        b.truncate(n);
+        (a, b)
+    }
+
+    /// All gaps and rates at `t`, in rows as long as [`Room`]'s.
+    fn all_at(&self, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
         let mut i = 0;
-        while i < n {
+        while i < self.gaps.len() {
             // Upwards, so that what is written behind a cluster is written over.
             self.at(i, t, &mut gaps[i..], &mut rates[i..]);
             i = self.end[i];
         }
-        gaps.truncate(n);
-        rates.truncate(n);
-        (gaps, rates)
     }
 }

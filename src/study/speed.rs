@@ -12,6 +12,11 @@ use std::time::{Duration, Instant};
 
 /// Lengths of the columns.
 const BEADS: [usize; 3] = [10, 1000, 10_000];
+/// Longest column that is timed in cascades: one of 10 000 beads lands for seconds.
+const LONGEST_CASCADE: usize = 1000;
+/// Contact time of soft beads that meet two by two, s: so short that no third one comes
+/// in between.
+const SHORT: f64 = 1e-8;
 /// Turns that every case takes, and how long one is.
 const TURNS: usize = 7;
 const TURN: Duration = Duration::from_millis(40);
@@ -25,8 +30,12 @@ enum State {
     Contact,
     /// It flies under gravity, all contacts open.
     Flight,
-    /// Elastic beads, far apart, bounce on a floor under gravity for ever.
-    Collisions,
+    /// Elastic beads, far apart, bounce on a floor under gravity for ever, and meet two
+    /// by two.
+    Pairs,
+    /// Elastic beads that touch bounce on a floor under gravity for ever: every landing
+    /// is one instant of N(N + 1)/2 collisions.
+    Cascades,
 }
 
 struct Case {
@@ -69,7 +78,10 @@ fn cases() -> Vec<Case> {
             }
         }
         for method in [MethodName::Ed, MethodName::Exact] {
-            cases.push(case(method, State::Collisions, n));
+            cases.push(case(method, State::Pairs, n));
+        }
+        if n <= LONGEST_CASCADE {
+            cases.push(case(MethodName::Ed, State::Cascades, n));
         }
     }
     cases
@@ -78,14 +90,15 @@ fn cases() -> Vec<Case> {
 fn case(method: MethodName, state: State, n: usize) -> Case {
     let preset = Preset::load("fig1b").expect("an embedded preset");
     let n = Value::Whole(n as u64);
-    // Without damping no column collapses or comes to rest.
-    let restitution = Value::Number(if state == State::Collisions { 1.0 } else { 0.9 });
-    let scene = vary(
-        &preset.scene,
-        Some(method),
-        &[("n", n), ("restitution", restitution)],
-    );
-    let scene = scene.expect("a scene of any length");
+    let mut settings = vec![("n", n)];
+    if matches!(state, State::Pairs | State::Cascades) {
+        // Without damping no column collapses or comes to rest.
+        settings.push(("restitution", Value::Number(1.0)));
+    }
+    if method == MethodName::Exact {
+        settings.push(("contact_time", Value::Number(SHORT)));
+    }
+    let scene = vary(&preset.scene, Some(method), &settings).expect("a scene of any length");
     let start = match state {
         State::Contact => Start::Resting,
         State::Flight => Start::Separated {
@@ -93,10 +106,14 @@ fn case(method: MethodName, state: State, n: usize) -> Case {
             jitter: false,
             v0: 10.0,
         },
-        // σ is thousands, and stays above a hundred: contacts are pairs'.
-        State::Collisions => Start::Separated {
+        State::Pairs => Start::Separated {
             s0: 1e-2,
             jitter: true,
+            v0: -0.2,
+        },
+        State::Cascades => Start::Separated {
+            s0: 0.0,
+            jitter: false,
             v0: -0.2,
         },
     };
@@ -166,7 +183,8 @@ fn table(cases: &[Case]) -> Table {
         let state = match case.state {
             State::Contact => "in contact",
             State::Flight => "in flight",
-            State::Collisions => "colliding",
+            State::Pairs => "two by two",
+            State::Cascades => "cascades",
         };
         let rate = median(case);
         let (least, most) = (case.rates[0], case.rates[case.rates.len() - 1]);
@@ -182,8 +200,8 @@ fn table(cases: &[Case]) -> Table {
     }
     table.notes = vec![
         "in contact: a column at rest, in flight: thrown upwards, both under gravity, in bead \
-         steps; colliding: elastic beads 10 mm apart bounce on a floor under gravity, in \
-         collisions."
+         steps; two by two: elastic beads 10 mm apart bounce on a floor under gravity (t_c 10 ns), \
+         cascades: elastic beads that touch do, both in collisions."
             .to_owned(),
         "Medians of turns that the methods take one after another; spread: largest less \
          smallest, over the median; ratio: to verlet, or for collisions to ed."

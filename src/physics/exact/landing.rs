@@ -90,31 +90,43 @@ impl Landing {
     /// Gap and rate at τ.
     fn at(&self, tau: f64) -> (f64, f64) {
         let own = self.own * (self.lambda * tau).exp();
-        let answer = self.answer * Complex::cis(self.plate.omega * tau);
+        let answer = if self.moves() {
+            self.answer * Complex::cis(self.plate.omega * tau)
+        } else {
+            Complex::ZERO
+        };
         (
             own.re + answer.im - self.sag,
             (self.lambda * own).re + self.plate.omega * answer.re,
         )
     }
 
-    /// What it has lost at τ, and the plate's work on the bead, m²/s².
-    fn spent(&self, tau: f64) -> (f64, f64) {
+    fn moves(&self) -> bool {
+        self.plate.amplitude != 0.0
+    }
+
+    /// What it has lost at τ, m²/s².
+    fn lost(&self, tau: f64) -> f64 {
         let (m, stiffness) = (self.constants.reduced, self.constants.stiffness);
         let (g, w) = self.at(tau);
-        let shared = self.shared(tau);
         let kinetic = 0.5 * m * (self.w - w) * (self.w + w);
-        let lost = kinetic - 0.5 * stiffness * g * g - m * (self.gravity * g + shared);
+        kinetic - 0.5 * stiffness * g * g - m * (self.gravity * g + self.shared(tau))
+    }
+
+    /// The plate's work on the bead up to τ, m²/s².
+    fn work(&self, tau: f64) -> f64 {
+        let (_, w) = self.at(tau);
         let (plate, then) = (self.plate, self.plate.later(tau));
         let (from, to) = (plate.velocity(), then.velocity());
         let lifted = then.position() - plate.position();
-        let swung = w * to - self.w * from - shared;
+        let swung = w * to - self.w * from - self.shared(tau);
         let work = swung + self.gravity * lifted + 0.5 * (to - from) * (to + from);
-        (lost, m * work)
+        self.constants.reduced * work
     }
 
     /// ∫ ġ z̈₀ dτ, m²/s².
     fn shared(&self, tau: f64) -> f64 {
-        if self.plate.amplitude == 0.0 {
+        if !self.moves() {
             return 0.0;
         }
         let beat = Complex::new(0.0, self.plate.omega);
@@ -176,10 +188,10 @@ impl<G: Ground> Exact<G> {
     /// Books what the landing has lost up to `t`, and the plate's work.
     pub(super) fn account_landing(&self, t: f64, ledger: &mut Ledger) {
         let Some(landing) = &self.landing else { return };
-        let (lost, work) = landing.spent(self.since(0, t, landing.lasts));
-        ledger.lost.add(lost);
+        let tau = self.since(0, t, landing.lasts);
+        ledger.lost.add(landing.lost(tau));
         if G::MOVES {
-            ledger.plate_work.add(work);
+            ledger.plate_work.add(landing.work(tau));
         }
     }
 }

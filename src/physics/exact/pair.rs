@@ -13,10 +13,10 @@ impl<G: Ground> Exact<G> {
         let open = |j: usize| self.modes.get(j).is_none_or(|mode| *mode == Mode::Open);
         // The gaps beside it fly by themselves if those beyond them are no contacts.
         let alone = self.attraction && i > 0 && open(i.saturating_sub(2)) && open(i + 2);
-        let Some(encounter) = self.encounters[i].filter(|_| alone) else {
+        let encounter = self.encounters[i].as_ref().filter(|_| alone);
+        let Some(lasts) = encounter.map(|encounter| encounter.lasts) else {
             return false;
         };
-        let lasts = encounter.lasts;
         let (low, high) = (i - 1, (i + 1).min(self.gaps.len() - 1));
         let (below, gap, above) = (self.flown(low, t), self.gaps[i], self.flown(high, t));
         let w = flush(gap.w);
@@ -42,13 +42,12 @@ impl<G: Ground> Exact<G> {
     /// Contact `i`, whose beads have met alone in the cluster at `low`, opens at `t`.
     /// False, and nothing done, where the floor has a part in it.
     pub(super) fn pair_parts(&mut self, low: usize, i: usize, t: f64) -> bool {
-        let Some(encounter) = self.encounters[i].filter(|_| i > 0) else {
+        let Some(encounter) = self.encounters[i].as_ref().filter(|_| i > 0) else {
             return false;
         };
         let (high, w, tau) = (self.end[low], self.gaps[i].w, encounter.lasts);
-        let lost = encounter.lost(w, tau);
+        let (lost, end) = (encounter.lost(w, tau), encounter.at(w, tau));
         self.state.books.ledger.lost.add(lost);
-        let end = encounter.at(w, tau);
         for j in low..high {
             let (g, w) = self.beside(i, j, tau, w, end);
             let (g, w) = (flush(g), flush(w));

@@ -47,14 +47,18 @@ impl<G: Ground> Exact<G> {
         if closed && self.state.books.bounce.has_arrived() {
             return;
         }
-        let (gaps, rates) = self.gaps_and_rates(t);
+        let n = self.gaps.len();
+        let mut room = std::mem::take(&mut self.room);
+        self.all_at(t, &mut room.a, &mut room.b);
+        let (gaps, rates) = (&room.a[..n], &room.b[..n]);
         if closed {
-            let arrival = self.moment(&gaps, &rates, t).arrival();
+            let arrival = self.moment(gaps, rates, t).arrival();
             self.state.books.bounce.begin(arrival);
         } else {
-            let leaving = translation(rates.into_iter(), &self.masses);
+            let leaving = translation(rates.iter().copied(), &self.masses);
             self.state.books.bounce.end(leaving);
         }
+        self.room = room;
     }
 
     /// Whether a floor collision without gravity is over, looked at when all contacts
