@@ -138,6 +138,8 @@ struct Room {
     a: Vec<f64>,
     b: Vec<f64>,
     sign: Vec<f64>,
+    /// As long as that cluster's series.
+    series: Vec<f64>,
 }
 
 impl Room {
@@ -146,6 +148,7 @@ impl Room {
             a: vec![0.0; n + PADDING],
             b: vec![0.0; n + PADDING],
             sign: Vec::with_capacity(n + PADDING),
+            series: vec![0.0; ROWS * (n + PADDING)],
         }
     }
 }
@@ -372,26 +375,5 @@ impl<G: Ground> Engine for Exact<G> {
             ..self.state.books.clone()
         };
         self.moment(&gaps, &rates, self.now).state(books)
-    }
-}
-
-impl<G: Ground> Exact<G> {
-    fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
-        let n = self.gaps.len();
-        let Room { mut a, mut b, .. } = Room::of(n);
-        self.all_at(t, &mut a, &mut b);
-        a.truncate(n);
-        b.truncate(n);
-        (a, b)
-    }
-
-    /// All gaps and rates at `t`, in rows as long as [`Room`]'s.
-    fn all_at(&self, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
-        let mut i = 0;
-        while i < self.gaps.len() {
-            // Upwards, so that what is written behind a cluster is written over.
-            self.at(i, t, &mut gaps[i..], &mut rates[i..]);
-            i = self.end[i];
-        }
     }
 }

@@ -3,7 +3,7 @@
 use super::cluster::Plan;
 use super::crossing::{Polynomial, ROWS};
 use super::series::{NEGLIGIBLE, Series, lanes};
-use super::{Exact, Gap, Mode, Room};
+use super::{Exact, Gap, Mode, PADDING, Room};
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
 use crate::physics::power_law::Spring;
@@ -78,6 +78,27 @@ impl<G: Ground> Exact<G> {
         }
     }
 
+    /// All gaps and rates at `t`.
+    pub(super) fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
+        let n = self.gaps.len();
+        let row = || vec![0.0; n + PADDING];
+        let (mut gaps, mut rates) = (row(), row());
+        self.all_at(t, &mut gaps, &mut rates);
+        gaps.truncate(n);
+        rates.truncate(n);
+        (gaps, rates)
+    }
+
+    /// All gaps and rates at `t`, in rows as long as [`Room`]'s.
+    pub(super) fn all_at(&self, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
+        let mut i = 0;
+        while i < self.gaps.len() {
+            // Upwards, so that what is written behind a cluster is written over.
+            self.at(i, t, &mut gaps[i..], &mut rates[i..]);
+            i = self.end[i];
+        }
+    }
+
     /// Gap `i`, in flight, and its rate at `t`.
     pub(super) fn flight(&self, i: usize, t: f64) -> (f64, f64) {
         let Gap { g, w, t: t0 } = self.gaps[i];
@@ -116,7 +137,8 @@ impl<G: Ground> Exact<G> {
                 }
             }
         }
-        ledger.lost.add(series.dissipation(s, &room.a, &mut room.b));
+        let lost = series.dissipation(s, &room.a, &mut room.b, &mut room.series);
+        ledger.lost.add(lost);
         if G::MOVES && low == 0 && self.modes[0] == Mode::Pushing {
             let force = series.force(0, self.springs[0], 1.0, s);
             ledger.plate_work.add(self.plate_work(&force, h, s));
