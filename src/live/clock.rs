@@ -99,6 +99,19 @@ mod tests {
     }
 
     #[test]
+    fn columns_that_keep_up_have_the_speed_that_was_asked_for() {
+        let start = Instant::now();
+        let mut clock = Clock::new(start);
+        clock.set_speed(0.2);
+        for k in 1..100 {
+            let reached = clock.goal();
+            clock.tick(reached, start + Duration::from_millis(20 * k));
+        }
+        let achieved = clock.achieved().expect("two seconds have passed");
+        assert!((achieved - 0.2).abs() < 1e-12);
+    }
+
+    #[test]
     fn a_lag_is_forgiven() {
         let start = Instant::now();
         let mut clock = Clock::new(start);
