@@ -5,8 +5,6 @@ use super::{Exact, Gap, Mode};
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
 
-/// Largest stack whose rests are planned: its propagators have (2·64)² entries each.
-const LARGEST: usize = 64;
 /// Series without a change after which a stack may be at rest.
 const QUIET: u32 = 16;
 
@@ -26,7 +24,7 @@ pub(super) struct Repose {
 impl Repose {
     pub fn new(n: usize) -> Self {
         Self {
-            stacks: (0..n.min(LARGEST)).map(|_| None).collect(),
+            stacks: (0..n).map(|_| None).collect(),
             rest: None,
             resting: 0,
             // What starts at rest is at rest at once.
@@ -56,7 +54,7 @@ impl<G: Ground> Exact<G> {
         let pushing = |mode: &&Mode| **mode == Mode::Pushing;
         let m = self.modes[..high].iter().take_while(pushing).count();
         let alone = m == high || (m + 1 == high && self.modes[m] == Mode::Open);
-        if m == 0 || m > LARGEST || !alone {
+        if m == 0 || !alone {
             return None;
         }
         let t = self.gaps[0].t;
@@ -103,7 +101,8 @@ impl<G: Ground> Exact<G> {
     pub(super) fn at_rest(&self, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
         let (m, stack, rest) = self.resting();
         let t0 = self.gaps[0].t;
-        stack.at(rest, (t - t0).min(rest.lasts), gaps, rates);
+        let tau = (t - t0).min(rest.lasts);
+        stack.at(rest, tau, &stack.later(rest, tau), gaps, rates);
         if m < self.end[0] {
             let (g, w) = self.over_stack(m);
             let (height, speed) = self.ground.fall(t0, g, w, t);
@@ -118,11 +117,12 @@ impl<G: Ground> Exact<G> {
         let (m, stack, rest) = self.resting();
         let t0 = self.gaps[0].t;
         let tau = (t - t0).min(rest.lasts);
-        let lost = stack.lost(rest, tau);
+        let now = stack.later(rest, tau);
+        let lost = stack.lost(rest, tau, &now);
         let (before, before_rates): (Vec<_>, Vec<_>) =
             self.gaps[..m].iter().map(|gap| (gap.g, gap.w)).unzip();
         let (mut after, mut after_rates) = (vec![0.0; m], vec![0.0; m]);
-        stack.at(rest, tau, &mut after, &mut after_rates);
+        stack.at(rest, tau, &now, &mut after, &mut after_rates);
         let energy = |gaps: &[f64], rates: &[f64], t: f64| {
             let mut moment = self.moment(gaps, rates, t);
             moment.masses = &self.masses[..m];
