@@ -9,7 +9,7 @@ mod oracle;
 mod sampled_roots;
 mod support;
 
-use beadlab::physics::build;
+use beadlab::physics::{Observation, build};
 use beadlab::scene::{Facts, Floor, Scene, Start, angular};
 use oracle::Oracle;
 use support::{G, exact, fig1, shaken};
@@ -168,6 +168,25 @@ fn beads_ride_a_plate_that_cannot_throw_them() {
         // Starting with the plate's speed, the column oscillates a little in its contacts.
         assert_eq!(changes, 0, "N {n}");
     }
+}
+
+#[test]
+fn a_long_column_at_rest_costs_nothing_once_it_is_still() {
+    let facts = Facts {
+        restitution: 0.05,
+        ..on_plate(66, 7e-6, 0.9, 20.0)
+    };
+    // Its slowest oscillation loses e^{-120 t}: 10⁻¹⁴ of it are left after 0.3 s.
+    let mut engine = support::run(facts, 0.5);
+    let mut seen = Observation::default();
+    engine.observe(&mut seen);
+    let steps = seen.steps;
+    engine.advance(300.0, u64::MAX).expect("a sound run");
+    engine.observe(&mut seen);
+    assert_eq!(seen.steps, steps);
+    assert!(steps > 0 && seen.contacts.iter().all(|&closed| closed));
+    // Rounding of the plate's work, period by period.
+    assert!(seen.energy.drift.abs() < 1e-12, "{}", seen.energy.drift);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use super::series::{Coupling, PHASE, Series, expand, lanes};
 use crate::physics::plate::Plate;
 use crate::physics::power_law::Spring;
 
-/// Longest rest planned at once, 2^16 steps of a series.
+/// Longest rest planned at once with a transient, 2^16 steps of a series.
 const POWERS: u32 = 16;
 /// Part of the steady overlap kept in reserve, against rounding.
 const RESERVE: f64 = 1e-9;
@@ -170,8 +170,8 @@ impl Stack {
         if steps <= 32.0 {
             return None;
         }
-        rest.lasts = rest.lasts.min(f64::from(POWERS).exp2() * self.h);
         if rest.energy > 0.0 {
+            rest.lasts = rest.lasts.min(f64::from(POWERS).exp2() * self.h);
             let doublings = steps.log2().min(POWERS.into());
             while (self.powers.len() as f64) < doublings + 1.0 {
                 let next = match self.powers.last() {
