@@ -11,7 +11,7 @@ mod pair;
 mod rule;
 
 use super::column::{masses, much_to_come, nothing_to_come};
-use super::flight::{Free, Ground, Shaken, Weight, closing};
+use super::flight::{Free, Gap, Ground, Shaken, Weight};
 use super::ledger::Ledger;
 use super::moment::Moment;
 use super::observation::Observation;
@@ -55,22 +55,6 @@ fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box
             LastCollisions::new(scene.n, contact_time),
         )),
         _ => Box::new(Ed::new(scene, state, ground, Always)),
-    }
-}
-
-/// A gap as it was at a time of its own.
-#[derive(Debug, Clone, Copy)]
-struct Gap {
-    g: f64,
-    w: f64,
-    t: f64,
-}
-
-impl Gap {
-    /// The gap at `t`, where neither gravity nor the plate bends it.
-    #[inline]
-    fn at(&self, t: f64) -> f64 {
-        self.g + self.w * (t - self.t)
     }
 }
 
@@ -204,12 +188,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Gap `i` and its rate at time `t`.
     fn at(&self, i: usize, t: f64) -> (f64, f64) {
-        let gap = &self.gaps[i];
-        if G::PULLS && i == self.stack {
-            self.ground.fall(gap.t, gap.g, gap.w, t)
-        } else {
-            (gap.at(t), gap.w)
-        }
+        self.gaps[i].flown(&self.ground, i == self.stack, t)
     }
 
     /// Brings gap `i` to time `t`.
@@ -225,12 +204,10 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// When gap `i` closes.
     #[inline]
     fn closes(&self, i: usize) -> f64 {
-        let Gap { g, w, t } = self.gaps[i];
-        match () {
-            () if i < self.stack => f64::INFINITY,
-            () if G::PULLS && i == self.stack => self.ground.hit(t, g, w),
-            () => closing(t, g, w),
+        if i < self.stack {
+            return f64::INFINITY;
         }
+        self.gaps[i].closes(&self.ground, i == self.stack)
     }
 
     /// Schedules the gaps from `low` to `high`.

@@ -19,7 +19,7 @@ mod series;
 mod upkeep;
 
 use super::column::{masses, springs};
-use super::flight::{Free, Ground, Shaken, Weight};
+use super::flight::{Free, Gap, Ground, Shaken, Weight};
 use super::ledger::Ledger;
 use super::moment::Moment;
 use super::observation::Observation;
@@ -72,15 +72,6 @@ enum Mode {
     Pushing,
     /// It is a contact whose attraction is cut off.
     Idle,
-}
-
-/// A gap as it was at a time of its own.
-#[derive(Debug, Clone, Copy)]
-struct Gap {
-    g: f64,
-    w: f64,
-    /// s from the epoch.
-    t: f64,
 }
 
 /// A soft column, exactly.

@@ -39,6 +39,37 @@ pub(crate) trait Ground: Send {
     }
 }
 
+/// A gap as it was at a time of its own, s from the epoch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gap {
+    pub g: f64,
+    pub w: f64,
+    pub t: f64,
+}
+
+impl Gap {
+    /// Itself and its rate at `t`, in flight. Gravity and the plate bend only the
+    /// `lowest`, that over the floor.
+    #[inline]
+    pub fn flown<G: Ground>(&self, ground: &G, lowest: bool, t: f64) -> (f64, f64) {
+        if G::PULLS && lowest {
+            ground.fall(self.t, self.g, self.w, t)
+        } else {
+            (self.g + self.w * (t - self.t), self.w)
+        }
+    }
+
+    /// When it closes.
+    #[inline]
+    pub fn closes<G: Ground>(&self, ground: &G, lowest: bool) -> f64 {
+        if G::PULLS && lowest {
+            ground.hit(self.t, self.g, self.w)
+        } else {
+            closing(self.t, self.g, self.w)
+        }
+    }
+}
+
 /// A fixed floor without gravity.
 pub(crate) struct Free {
     pub plate: Plate,

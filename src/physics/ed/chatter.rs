@@ -74,16 +74,6 @@ impl Chatter {
         g <= self.pairs[i].touching
     }
 
-    /// Whether the gap below `i`, of size `below`, is a contact, or the one above it.
-    #[inline]
-    pub fn touch_beside(&self, i: usize, below: f64, above: Option<f64>) -> bool {
-        let [under, _, over @ ..] = &self.pairs[i - 1..] else {
-            return false;
-        };
-        let over = over.first().zip(above);
-        below <= under.touching || over.is_some_and(|(over, above)| above <= over.touching)
-    }
-
     /// Pair `i` collides after a flight.
     pub fn collides(&mut self, i: usize, t: f64) {
         let pair = &mut self.pairs[i];

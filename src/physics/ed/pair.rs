@@ -2,7 +2,7 @@
 
 use super::{Ed, Gap, Rule};
 use crate::physics::column::{reduced_mass, restitutions};
-use crate::physics::flight::{Ground, closing};
+use crate::physics::flight::Ground;
 use crate::scene::Scene;
 
 /// What a collision at a gap needs to know of its bodies.
@@ -57,17 +57,16 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let [below, gap, above @ ..] = &mut self.gaps[i - 1..] else {
             return false;
         };
-        let lowest = G::PULLS && i - 1 == self.stack;
-        let (under, rate) = if lowest {
-            self.ground.fall(below.t, below.g, below.w, t)
-        } else {
-            (below.at(t), below.w)
-        };
-        let above = above.first_mut().map(|gap| (gap.at(t), gap));
+        let lowest = i - 1 == self.stack;
+        let (under, rate) = below.flown(&self.ground, lowest, t);
+        let above = above.first_mut();
+        let above = above.map(|gap| (gap.flown(&self.ground, false, t).0, gap));
         let over = above.as_ref().map(|(over, _)| *over);
         let (pair, w) = (self.pairs[i], gap.w);
         let parts = w < -self.threshold && w.is_finite() && pair.restitution > 0.0;
-        if !parts || self.chatter.touch_beside(i, under, over) {
+        let beside = self.chatter.touch(i - 1, under)
+            || over.is_some_and(|over| self.chatter.touch(i + 1, over));
+        if beside || !parts {
             return false;
         }
         self.chatter.collides(i, t);
@@ -81,18 +80,13 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.queue.write(i, f64::INFINITY);
         let (g, w) = (under.max(0.0), rate - change * pair.below);
         *below = Gap { g, w, t };
-        let closes = if lowest {
-            self.ground.hit(t, g, w)
-        } else {
-            closing(t, g, w)
-        };
-        self.queue.write(i - 1, closes);
+        self.queue.write(i - 1, below.closes(&self.ground, lowest));
         let mut high = i;
         if let Some((over, gap)) = above {
             let (g, w) = (over.max(0.0), gap.w - change * pair.above);
             *gap = Gap { g, w, t };
             high += 1;
-            self.queue.write(high, closing(t, g, w));
+            self.queue.write(high, gap.closes(&self.ground, false));
         }
         self.queue.play_again(i - 1, high);
         let time = self.absolute(t);

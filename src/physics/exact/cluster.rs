@@ -2,8 +2,8 @@
 
 use super::crossing::{ROWS, first_below_zero};
 use super::series::{PHASE, Series, expand, lanes};
-use super::{Exact, Gap, Mode};
-use crate::physics::flight::{Ground, closing};
+use super::{Exact, Mode};
+use crate::physics::flight::Ground;
 
 /// What a cluster does until its plan ends.
 #[derive(Debug, Clone, Copy)]
@@ -81,12 +81,7 @@ impl<G: Ground> Exact<G> {
 
     /// When gap `i`, in flight, closes.
     pub(super) fn closes(&self, i: usize) -> f64 {
-        let Gap { g, w, t } = self.gaps[i];
-        if G::PULLS && i == 0 {
-            self.ground.hit(t, g, w)
-        } else {
-            closing(t, g, w)
-        }
+        self.gaps[i].closes(&self.ground, i == 0)
     }
 
     /// 1/m of the beads below (0: the floor) and above gap `i`.

@@ -2,7 +2,7 @@
 //! What the other files do for any cluster, here at the least cost.
 
 use super::cluster::Plan;
-use super::passage::flush;
+use super::passage::brought;
 use super::{Exact, Gap, Mode};
 use crate::physics::flight::Ground;
 
@@ -18,8 +18,8 @@ impl<G: Ground> Exact<G> {
             return false;
         };
         let (low, high) = (i - 1, (i + 1).min(self.gaps.len() - 1));
-        let (below, gap, above) = (self.flown(low, t), self.gaps[i], self.flown(high, t));
-        let w = flush(gap.w);
+        let [below, gap, above] = [low, i, high].map(|j| brought(self.flight(j, t), t));
+        let w = gap.w;
         let free = (f64::MIN..0.0).contains(&w)
             && self.stays_open(i, low, below, w, lasts)
             && (high == i || self.stays_open(i, high, above, w, lasts));
@@ -49,9 +49,7 @@ impl<G: Ground> Exact<G> {
         let (lost, end) = (encounter.lost(w, tau), encounter.at(w, tau));
         self.state.books.ledger.lost.add(lost);
         for j in low..high {
-            let (g, w) = self.beside(i, j, tau, w, end);
-            let (g, w) = (flush(g), flush(w));
-            self.gaps[j] = Gap { g, w, t };
+            self.gaps[j] = brought(self.beside(i, j, tau, w, end), t);
         }
         self.change(i, Mode::Open, t);
         for j in low..high {
@@ -61,12 +59,5 @@ impl<G: Ground> Exact<G> {
         }
         self.queue.play_again(low, high - 1);
         true
-    }
-
-    /// Gap `j`, in flight, at `t`.
-    fn flown(&self, j: usize, t: f64) -> Gap {
-        let (g, w) = self.flight(j, t);
-        let (g, w) = (flush(g), flush(w));
-        Gap { g, w, t }
     }
 }

@@ -12,9 +12,11 @@ use crate::physics::power_law::Spring;
 /// numbers, which are slow.
 const NOTHING: f64 = 1e-200;
 
-/// Itself, or zero where it is nothing.
-pub(super) fn flush(x: f64) -> f64 {
-    if x.abs() < NOTHING { 0.0 } else { x }
+/// A gap and its rate, brought to `t`: zero where they are nothing.
+pub(super) fn brought((g, w): (f64, f64), t: f64) -> Gap {
+    let flush = |x: f64| if x.abs() < NOTHING { 0.0 } else { x };
+    let (g, w) = (flush(g), flush(w));
+    Gap { g, w, t }
 }
 
 impl<G: Ground> Exact<G> {
@@ -41,8 +43,7 @@ impl<G: Ground> Exact<G> {
         self.at(low, t, &mut room.a, &mut room.b);
         let moved = room.a.iter().zip(&room.b);
         for (gap, (&g, &w)) in self.gaps[low..high].iter_mut().zip(moved) {
-            let (g, w) = (flush(g), flush(w));
-            *gap = Gap { g, w, t };
+            *gap = brought((g, w), t);
         }
         self.room = room;
     }
@@ -101,12 +102,7 @@ impl<G: Ground> Exact<G> {
 
     /// Gap `i`, in flight, and its rate at `t`.
     pub(super) fn flight(&self, i: usize, t: f64) -> (f64, f64) {
-        let Gap { g, w, t: t0 } = self.gaps[i];
-        if G::PULLS && i == 0 {
-            self.ground.fall(t0, g, w, t)
-        } else {
-            (g + w * (t - t0), w)
-        }
+        self.gaps[i].flown(&self.ground, i == 0, t)
     }
 
     /// Books what the cluster that starts at `low` has lost, and the plate's work on
