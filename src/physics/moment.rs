@@ -71,7 +71,7 @@ impl Moment<'_> {
         Arrival {
             time: self.time,
             period: self.plate.period(),
-            translation: 0.5 * mass * centre * centre.abs(),
+            translation: translational(mass, centre),
             relative: self.relative(centre + self.plate.velocity()),
             crossing: (!between.is_empty() && centre != 0.0).then(|| separation / centre.abs()),
         }
@@ -139,5 +139,9 @@ fn centre(rates: impl Iterator<Item = f64>, masses: &[f64]) -> (f64, f64) {
 /// What [`Arrival::translation`] is, from the rates of the gaps alone.
 pub(crate) fn translation(rates: impl Iterator<Item = f64>, masses: &[f64]) -> f64 {
     let (mass, u) = centre(rates, masses);
+    translational(mass, u)
+}
+
+fn translational(mass: f64, u: f64) -> f64 {
     0.5 * mass * u * u.abs()
 }

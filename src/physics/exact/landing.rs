@@ -105,23 +105,22 @@ impl Landing {
         self.plate.amplitude != 0.0
     }
 
-    /// What it has lost at τ, m²/s².
-    fn lost(&self, tau: f64) -> f64 {
+    /// What it has lost at τ, and the plate's work on the bead, m²/s².
+    fn spent(&self, tau: f64) -> (f64, f64) {
         let (m, stiffness) = (self.constants.reduced, self.constants.stiffness);
         let (g, w) = self.at(tau);
+        let shared = self.shared(tau);
         let kinetic = 0.5 * m * (self.w - w) * (self.w + w);
-        kinetic - 0.5 * stiffness * g * g - m * (self.gravity * g + self.shared(tau))
-    }
-
-    /// The plate's work on the bead up to τ, m²/s².
-    fn work(&self, tau: f64) -> f64 {
-        let (_, w) = self.at(tau);
+        let lost = kinetic - 0.5 * stiffness * g * g - m * (self.gravity * g + shared);
+        if !self.moves() {
+            return (lost, 0.0);
+        }
         let (plate, then) = (self.plate, self.plate.later(tau));
         let (from, to) = (plate.velocity(), then.velocity());
         let lifted = then.position() - plate.position();
-        let swung = w * to - self.w * from - self.shared(tau);
+        let swung = w * to - self.w * from - shared;
         let work = swung + self.gravity * lifted + 0.5 * (to - from) * (to + from);
-        self.constants.reduced * work
+        (lost, m * work)
     }
 
     /// ∫ ġ z̈₀ dτ, m²/s².
@@ -188,10 +187,10 @@ impl<G: Ground> Exact<G> {
     /// Books what the landing has lost up to `t`, and the plate's work.
     pub(super) fn account_landing(&self, t: f64, ledger: &mut Ledger) {
         let Some(landing) = &self.landing else { return };
-        let tau = self.since(0, t, landing.lasts);
-        ledger.lost.add(landing.lost(tau));
+        let (lost, work) = landing.spent(self.since(0, t, landing.lasts));
+        ledger.lost.add(lost);
         if G::MOVES {
-            ledger.plate_work.add(landing.work(tau));
+            ledger.plate_work.add(work);
         }
     }
 }
