@@ -181,7 +181,7 @@ impl<G: Ground> Exact<G> {
             ticks: 0.0,
             tick: (TICK * contact_time).log2().round().exp2(),
             now: 0.0,
-            repose: Repose::new(n),
+            repose: Repose::new(),
             since: 0,
             energy_at_first: f64::INFINITY,
             check_at: (0, INSPECTION),

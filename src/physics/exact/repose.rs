@@ -1,6 +1,8 @@
 //! When the stack on the floor is taken as resting, and what it does then.
 
-use super::rest::{Rest, Stack};
+use std::collections::BTreeMap;
+
+use super::rest::{LARGEST, Rest, Stack};
 use super::{Exact, Gap, Mode};
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
@@ -11,8 +13,9 @@ const QUIET: u32 = 16;
 /// What is known of stacks on the floor.
 #[derive(Debug)]
 pub(super) struct Repose {
-    /// Stacks by their number of beads less one, made when they first may rest.
-    stacks: Vec<Option<Stack>>,
+    /// Stacks by their number of beads, made when they first may rest; of those too
+    /// large for a transient the last one only, so that memory stays O(N).
+    stacks: BTreeMap<usize, Stack>,
     /// The rest that goes on, if one does.
     rest: Option<Rest>,
     /// Beads in the stack that rests.
@@ -22,9 +25,9 @@ pub(super) struct Repose {
 }
 
 impl Repose {
-    pub fn new(n: usize) -> Self {
+    pub fn new() -> Self {
         Self {
-            stacks: (0..n).map(|_| None).collect(),
+            stacks: BTreeMap::new(),
             rest: None,
             resting: 0,
             // What starts at rest is at rest at once.
@@ -69,7 +72,9 @@ impl<G: Ground> Exact<G> {
             f64::INFINITY
         };
         let plate = self.ground.plate(t);
-        let stack = self.repose.stacks[m - 1].get_or_insert_with(|| {
+        let stacks = &mut self.repose.stacks;
+        stacks.retain(|&beads, _| beads <= LARGEST || beads == m);
+        let stack = stacks.entry(m).or_insert_with(|| {
             Stack::new(&self.springs[..m], &self.masses[..m], self.gravity, plate)
         });
         let (gaps, rates): (Vec<_>, Vec<_>) =
@@ -91,7 +96,7 @@ impl<G: Ground> Exact<G> {
     /// The stack that rests, and its rest.
     fn resting(&self) -> (usize, &Stack, &Rest) {
         let m = self.repose.resting;
-        match (&self.repose.stacks[m - 1], &self.repose.rest) {
+        match (self.repose.stacks.get(&m), &self.repose.rest) {
             (Some(stack), Some(rest)) => (m, stack, rest),
             _ => unreachable!("a rest is planned with its stack"),
         }

@@ -21,7 +21,7 @@ const RESERVE: f64 = 1e-9;
 /// it is their rounding.
 const STILL: f64 = 1e-28;
 /// Largest stack whose transient is followed: its propagators have (2·64)² entries each.
-const LARGEST: usize = 64;
+pub(super) const LARGEST: usize = 64;
 
 /// A stack of beads that can rest: its steady answer and its propagator.
 #[derive(Debug)]
