@@ -89,6 +89,18 @@ impl Clock {
 mod tests {
     use super::*;
 
+    /// A clock of this speed after 99 ticks, so many milliseconds apart, the columns
+    /// having come to `reached` at each.
+    fn ticked(speed: f64, apart: u64, reached: impl Fn(&Clock) -> f64) -> Clock {
+        let start = Instant::now();
+        let mut clock = Clock::new(start);
+        clock.set_speed(speed);
+        for k in 1..100 {
+            clock.tick(reached(&clock), start + Duration::from_millis(apart * k));
+        }
+        clock
+    }
+
     #[test]
     fn a_long_sleep_does_not_leap() {
         let start = Instant::now();
@@ -100,25 +112,14 @@ mod tests {
 
     #[test]
     fn columns_that_keep_up_have_the_speed_that_was_asked_for() {
-        let start = Instant::now();
-        let mut clock = Clock::new(start);
-        clock.set_speed(0.2);
-        for k in 1..100 {
-            let reached = clock.goal();
-            clock.tick(reached, start + Duration::from_millis(20 * k));
-        }
+        let clock = ticked(0.2, 20, Clock::goal);
         let achieved = clock.achieved().expect("two seconds have passed");
         assert!((achieved - 0.2).abs() < 1e-12);
     }
 
     #[test]
     fn a_lag_is_forgiven() {
-        let start = Instant::now();
-        let mut clock = Clock::new(start);
-        clock.set_speed(1.0);
-        for k in 1..100 {
-            clock.tick(0.0, start + Duration::from_millis(50 * k));
-        }
+        let clock = ticked(1.0, 50, |_| 0.0);
         assert!(clock.goal() <= LONGEST_TICK + 1e-12);
         assert_eq!(clock.achieved(), Some(0.0));
     }
