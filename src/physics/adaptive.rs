@@ -180,7 +180,7 @@ impl<G: Ground + 'static> Adaptive<G> {
             self.state.books.bounce.turn(!was_closed, arrival);
         }
         if !G::PULLS && !self.over && self.state.books.contacts.all_open() {
-            self.over = nothing_to_come(self.motion.rates().iter().copied(), &self.masses);
+            self.over = nothing_to_come(self.motion.rates().iter().copied(), &self.masses, OVER);
         }
     }
 
@@ -197,7 +197,7 @@ impl<G: Ground + 'static> Adaptive<G> {
         while self.now.total() >= tick {
             self.now.add(-tick);
             self.ticks += 1.0;
-            self.motion.ground.move_epoch();
+            self.motion.ground.move_epoch(tick);
         }
         self.unchanged = if changed { 0 } else { self.unchanged + 1 };
         if changed {
@@ -207,7 +207,7 @@ impl<G: Ground + 'static> Adaptive<G> {
         if !G::PULLS && !self.over && self.state.books.steps.is_multiple_of(INSPECTION) {
             let energy = self.moment(&self.motion.y).energy();
             self.over = energy.elastic <= OVER * energy.kinetic
-                && nothing_to_come(self.motion.rates().iter().copied(), &self.masses);
+                && nothing_to_come(self.motion.rates().iter().copied(), &self.masses, OVER);
         }
         if !G::PULLS && !self.over && self.unchanged > CREEPING {
             return Err(EngineError::Creeping {

@@ -98,20 +98,19 @@ pub(crate) fn velocities(rates: impl Iterator<Item = f64>) -> Vec<f64> {
     rates.map(add).collect()
 }
 
-/// Whether gap `i`, closing at rate `w`, alone can take more than [`OVER`] of `energy`:
-/// then no search for the end of a floor collision is needed. (The velocities that
+/// Whether gap `i`, closing at rate `w`, alone can take more than `energy`: then no search for the end of a floor collision is needed. (The velocities that
 /// approach nowhere are no nearer than those that do not approach here; twice, since
 /// the search rounds.)
 pub(crate) fn much_to_come(masses: &[f64], i: usize, w: f64, energy: f64) -> bool {
-    w < 0.0 && 0.5 * reduced_mass(masses, i) * w * w > 2.0 * OVER * energy
+    w < 0.0 && 0.5 * reduced_mass(masses, i) * w * w > 2.0 * energy
 }
 
 /// Whether no collision still to come can change the kinetic energy of free beads above
-/// a fixed floor by [`OVER`] of itself.
-pub(crate) fn nothing_to_come(rates: impl Iterator<Item = f64>, masses: &[f64]) -> bool {
+/// a fixed floor by this part of itself.
+pub(crate) fn nothing_to_come(rates: impl Iterator<Item = f64>, masses: &[f64], part: f64) -> bool {
     let now = velocities(rates);
     let energy: f64 = now.iter().zip(masses).map(|(v, m)| 0.5 * m * v * v).sum();
-    most_to_lose(now, masses) <= OVER * energy
+    most_to_lose(now, masses) <= part * energy
 }
 
 /// The most energy, m²/s², that collisions still to come can take from free beads of

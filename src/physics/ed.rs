@@ -4,31 +4,37 @@
 //! gap changes linearly; of all gaps only one, between the floor (or the stack that
 //! rides it) and the lowest free bead, feels gravity and the plate. A collision
 //! changes three gaps, so an event costs O(log N).
+//!
+//! Near inelastic collapse gaps, rates and the times between collisions shrink by
+//! hundreds of decades and may grow again. No digit is lost on the way: times are
+//! counted from an epoch that follows at the pace of the collisions, and without
+//! gravity, where nothing has a scale, lengths and times are kept in units that leave
+//! room below (see [`closing`]).
 
 mod cascade;
-mod chatter;
+mod closing;
 mod pair;
 mod rule;
 
 use super::column::{masses, much_to_come, nothing_to_come};
 use super::flight::{Free, Gap, Ground, Shaken, Weight};
-use super::ledger::Ledger;
+use super::ledger::{Ledger, Sum};
 use super::moment::Moment;
 use super::observation::Observation;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{CollisionRule, Floor, Method, Scene, Start};
-use chatter::Chatter;
+use crate::scene::{CollisionRule, Floor, Method, Scene};
+use closing::Closing;
 use pair::{Pair, pairs};
 use rule::{Always, LastCollisions, Rule};
 
-/// Part of the scene's own speed below which an approach counts as none: the
-/// threshold of the LRV procedure.
-const LRV_THRESHOLD: f64 = 1e-10;
-/// Part of the time √(d/g) that what is left of a bouncing sequence may last for the
-/// contact to count as resting.
-const REST: f64 = 1e-9;
+/// What can still change of the kinetic energy of a floor collision that is over, as a
+/// part of it: less than any digit of a double shows.
+const OVER: f64 = 1e-32;
+/// The epoch follows where a gap closes again within this part of the time since it: so
+/// many of the digits of a flight may be lost to the digits of its time.
+const SOON: f64 = 1.0 / 64.0;
 
 /// Builds the engine of an ED scene.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
@@ -48,17 +54,16 @@ fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box
     match scene.method {
         Method::Ed {
             rule: CollisionRule::Tc { contact_time },
-        } => Box::new(Ed::new(
-            scene,
-            state,
-            ground,
-            LastCollisions::new(scene.n, contact_time),
-        )),
+        } => {
+            let contact_time = contact_time * Closing::room(scene, &state);
+            let rule = LastCollisions::new(scene.n, contact_time);
+            Box::new(Ed::new(scene, state, ground, rule))
+        }
         _ => Box::new(Ed::new(scene, state, ground, Always)),
     }
 }
 
-/// A hard column.
+/// A hard column. Its gaps and times are kept in units of 1/`room` m and s.
 struct Ed<G, R> {
     ground: G,
     rule: R,
@@ -75,17 +80,21 @@ struct Ed<G, R> {
     /// Which cascade a gap last collided in.
     collided: Vec<u64>,
     cascades: u64,
-    /// Time of the epoch: `origin`, s, and some of the ground's ticks after it. These
-    /// are powers of two, so that moving the epoch changes no bit of any absolute time.
+    /// Units of length and of time in 1 m and 1 s, a power of two; 1 under gravity,
+    /// which has a scale of its own.
+    room: f64,
+    /// Time of the epoch, in units, from `origin`, s.
     origin: f64,
-    epoch: f64,
-    /// Now, s from the epoch.
+    epoch: Sum,
+    /// Whether the epoch is to follow before the next event is looked for.
+    soon: bool,
+    /// Now, from the epoch.
     now: f64,
     /// Energy per mass of the floor when the stack last changed.
     ride_from: f64,
-    threshold: f64,
-    chatter: Chatter,
-    rest_time: f64,
+    closing: Closing,
+    /// The gaps of a cascade that was left for a pause, some of which still approach.
+    paused: Option<(usize, usize)>,
     /// Kinetic energy at the start or after an edit, m²/s²; without gravity it only falls.
     kinetic_at_first: f64,
     check_at: u64,
@@ -97,34 +106,34 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     fn new(scene: &Scene, state: State, ground: G, rule: R) -> Self {
         let n = scene.n;
         let masses = masses(scene);
-        let speed = match (scene.gravity, scene.start) {
-            (Some(gravity), _) => (gravity * scene.diameter).sqrt(),
-            (None, Start::Separated { v0, .. }) => v0.abs(),
-            (None, Start::Resting) => 0.0,
-        };
+        let pairs = pairs(scene, &masses);
+        let room = Closing::room(scene, &state);
         let mut ed = Self {
-            pairs: pairs(scene, &masses),
+            closing: Closing::of(scene, &pairs, state.closing),
+            pairs,
             gravity: weight(scene),
             gaps: state
                 .gaps
                 .iter()
                 .zip(&state.rates)
-                .map(|(&g, &w)| Gap { g, w, t: 0.0 })
+                .map(|(&g, &w)| Gap {
+                    g: g * room,
+                    w,
+                    t: 0.0,
+                })
                 .collect(),
             stack: 0,
             queue: Tournament::new(n + 2),
             approach: Tournament::new(n),
             collided: vec![0; n],
             cascades: 0,
+            room,
             origin: state.time,
-            epoch: 0.0,
+            epoch: Sum::default(),
+            soon: false,
             now: 0.0,
             ride_from: 0.0,
-            threshold: LRV_THRESHOLD * speed,
-            chatter: Chatter::new(scene, &masses),
-            rest_time: scene
-                .gravity
-                .map_or(0.0, |gravity| REST * (scene.diameter / gravity).sqrt()),
+            paused: None,
             kinetic_at_first: f64::INFINITY,
             check_at: 0,
             over: false,
@@ -140,7 +149,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// Finds what rests, opens the ledger, and schedules every gap.
     fn begin(&mut self) {
         if G::PULLS && self.ground.pressing(0.0) > 0.0 {
-            let resting = |gap: &Gap| gap.g <= 0.0 && gap.w.abs() <= self.threshold;
+            let resting = |gap: &Gap| gap.g <= 0.0 && gap.w.abs() <= self.closing.speed;
             self.stack = self.gaps.iter().take_while(|gap| resting(gap)).count();
         }
         for gap in &mut self.gaps[..self.stack] {
@@ -151,7 +160,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         for (i, gap) in self.gaps.iter().enumerate() {
             books.contacts.note(
                 i,
-                gap.g <= 0.0 && gap.w.abs() <= self.threshold,
+                gap.g <= 0.0 && gap.w.abs() <= self.closing.speed,
                 self.state.time,
             );
         }
@@ -167,11 +176,16 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Simulated time of `t`, s.
     fn absolute(&self, t: f64) -> f64 {
-        self.origin + (self.epoch + t)
+        self.origin + self.epoch.with(t) / self.room
     }
 
+    /// Gaps, m, and their rates, m/s.
     fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
-        (0..self.gaps.len()).map(|i| self.at(i, t)).unzip()
+        let seen = |i| {
+            let (g, w) = self.at(i, t);
+            (g / self.room, w)
+        };
+        (0..self.gaps.len()).map(seen).unzip()
     }
 
     fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Moment<'a> {
@@ -212,10 +226,20 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Schedules the gaps from `low` to `high`.
     fn schedule(&mut self, low: usize, high: usize) {
+        let mut soonest = f64::INFINITY;
         for i in low..=high {
-            self.queue.write(i, self.closes(i));
+            let closes = self.closes(i);
+            soonest = soonest.min(closes);
+            self.queue.write(i, closes);
         }
         self.queue.play_again(low, high);
+        self.look_ahead(soonest, self.now);
+    }
+
+    /// A gap that closes next at `soonest` was scheduled at `t`.
+    #[inline]
+    fn look_ahead(&mut self, soonest: f64, t: f64) {
+        self.soon |= soonest < t * (1.0 + SOON);
     }
 
     fn schedule_take_off(&mut self) {
@@ -264,19 +288,26 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.schedule_take_off();
     }
 
-    /// Moves the epoch on by one tick, so that times keep their digits.
-    fn move_epoch(&mut self) {
-        let tick = self.ground.tick();
-        self.ground.move_epoch();
-        self.epoch += tick;
+    /// Moves the epoch on by so much, so that times keep their digits.
+    fn move_epoch(&mut self, by: f64) {
+        self.ground.move_epoch(by);
+        self.epoch.add(by);
         for gap in &mut self.gaps {
-            gap.t -= tick;
+            gap.t -= by;
         }
-        self.rule.shift(tick);
-        self.chatter.shift(tick);
-        self.queue.shift(tick);
-        self.now -= tick;
-        self.queue.set(self.gaps.len() + 1, tick);
+        self.rule.shift(by);
+        self.queue.shift(by);
+        self.now -= by;
+        self.queue.set(self.gaps.len() + 1, self.ground.tick());
+    }
+
+    /// Makes now the epoch, and schedules all gaps again: what closes soon is then known
+    /// to a part of its flight, not of the time before.
+    fn follow(&mut self) {
+        self.move_epoch(self.now);
+        self.schedule(0, self.gaps.len() - 1);
+        self.schedule_take_off();
+        self.soon = false;
     }
 
     /// Whether a floor collision without gravity is over, looked at now and then, as
@@ -291,11 +322,11 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
         self.check_at = self.state.books.events + self.gaps.len() as u64;
         let rate = self.gaps.get(next).map_or(0.0, |gap| gap.w);
-        if !never && much_to_come(&self.masses, next, rate, self.kinetic_at_first) {
+        if !never && much_to_come(&self.masses, next, rate, OVER * self.kinetic_at_first) {
             return;
         }
         let rates = self.gaps.iter().map(|gap| gap.w);
-        self.over = never || nothing_to_come(rates, &self.masses);
+        self.over = never || nothing_to_come(rates, &self.masses, OVER);
     }
 }
 
@@ -309,11 +340,19 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
         let (collisions, mut others) = (self.state.books.events, 0);
         let mut next = self.queue.first();
         loop {
+            if let Some((low, high)) = self.paused {
+                if self.state.books.events - collisions >= budget {
+                    return Ok(Outcome::OutOfBudget);
+                }
+                self.cascade(low, high, self.now);
+                next = self.queue.first();
+                continue;
+            }
             let (i, t) = next;
             // As `next_event` says it, so that advancing to there includes the event.
             if self.absolute(t) > until || t.is_infinite() {
                 // Not past the next event, which rounding could do.
-                let end = ((until - self.origin) - self.epoch).min(t);
+                let end = self.epoch.until((until - self.origin) * self.room).min(t);
                 self.now = self.now.max(end);
                 self.look_whether_over(next);
                 return Ok(if self.over {
@@ -331,7 +370,11 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
             match i.cmp(&n) {
                 std::cmp::Ordering::Less => self.collide_at(i, self.now)?,
                 std::cmp::Ordering::Equal => self.take_off(self.now),
-                std::cmp::Ordering::Greater => self.move_epoch(),
+                // A tick is a power of two: moving by it changes no bit of any absolute time.
+                std::cmp::Ordering::Greater => self.move_epoch(self.ground.tick()),
+            }
+            if self.soon {
+                self.follow();
             }
             next = self.queue.first();
             self.look_whether_over(next);

@@ -26,8 +26,8 @@ pub(crate) trait Ground: Send {
     fn plate(&self, t: f64) -> Plate;
     /// After which time the epoch should move on, s, a power of two; infinite if never.
     fn tick(&self) -> f64;
-    /// Moves the epoch on by a tick.
-    fn move_epoch(&mut self) {}
+    /// Moves the epoch on by so much, s, at most about a tick.
+    fn move_epoch(&mut self, _by: f64) {}
     /// Makes `plate` the floor at the epoch.
     fn set_plate(&mut self, _: Plate) {}
     /// Taylor coefficients, in units of `h`, of the acceleration −(g + z̈₀) of a free

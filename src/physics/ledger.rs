@@ -21,6 +21,18 @@ impl Sum {
     pub fn total(&self) -> f64 {
         self.value + self.carry
     }
+
+    /// What [`Self::total`] would be with `x` added.
+    pub fn with(self, x: f64) -> f64 {
+        let mut more = self;
+        more.add(x);
+        more.total()
+    }
+
+    /// What is missing to `goal`.
+    pub fn until(&self, goal: f64) -> f64 {
+        (goal - self.value) - self.carry
+    }
 }
 
 /// What a run has lost and been given, and what its sum should be.

@@ -5,7 +5,7 @@ use super::ledger::Ledger;
 use super::observation::{Energy, Observation};
 use super::plate::Plate;
 use super::power_law::Spring;
-use super::state::{Books, State};
+use super::state::{Books, Depth, State};
 
 /// Gaps, rates and all that gives them meaning.
 pub(crate) struct Moment<'a> {
@@ -85,6 +85,7 @@ impl Moment<'_> {
             rates: self.rates.to_vec(),
             plate: self.plate,
             ledger_error: books.ledger.error(self.energy()),
+            closing: Depth::default(),
             springs: self.springs.to_vec(),
             bonds: Vec::new(),
             books,

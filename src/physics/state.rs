@@ -16,6 +16,28 @@ pub(crate) struct Books {
     pub bounce: Bounce,
     pub steps: u64,
     pub events: u64,
+    /// Collapses of hard beads that were closed.
+    pub closed: u64,
+}
+
+/// How far hard beads follow a collapse before they close it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum Depth {
+    /// As far as there are digits for it.
+    #[default]
+    Full,
+    /// Half as many powers of two: what this changes of the results nobody can know.
+    Half,
+}
+
+impl Depth {
+    /// The powers of two to go down by, of those that full depth has.
+    pub fn of(self, powers: i32) -> i32 {
+        match self {
+            Self::Full => powers,
+            Self::Half => powers / 2,
+        }
+    }
 }
 
 /// The whole state of a column or a lattice.
@@ -32,6 +54,8 @@ pub struct State {
     pub(crate) books: Books,
     /// Error of the ledger so far, m²/s².
     pub(crate) ledger_error: f64,
+    /// How far hard beads follow a collapse before they close it.
+    pub(crate) closing: Depth,
     /// Springs of the engine that left this state; none of hard beads.
     pub(crate) springs: Vec<Spring>,
     /// Of a lattice the pairs whose contacts the log has, after the floor's.
@@ -114,8 +138,10 @@ impl State {
                 bounce: Bounce::default(),
                 steps: 0,
                 events: 0,
+                closed: 0,
             },
             ledger_error: 0.0,
+            closing: Depth::default(),
             springs: Vec::new(),
             bonds: Vec::new(),
         }

@@ -6,9 +6,9 @@ use crate::physics::column::{totally_inelastic, velocities};
 use crate::physics::flight::Ground;
 use crate::physics::moment::translation;
 
-/// k(1 − ε) of k touching beads above which nothing comes back from the far end: what
-/// a wave carries there and back falls as e^{−k(1−ε)}, its energy as the square, 10⁻¹².
-const ABSORBING: f64 = 14.0;
+/// Collisions of a cascade after which it is left for a pause, so that whoever waits for
+/// the engine is not made to wait for the end of a long one.
+const PAUSE: u32 = 20_000;
 
 impl<G: Ground, R: Rule> Ed<G, R> {
     /// Gap `i` closes at time `t`: its collision, those of the beads in contact with
@@ -19,7 +19,6 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
         self.sync(i, t);
         self.gaps[i].g = 0.0;
-        self.chatter.collides(i, t);
         if !self.gaps[i].w.is_finite() {
             let what = "a relative velocity is not finite";
             return Err(EngineError::Lost {
@@ -33,7 +32,17 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             self.floor_contact_begins(t);
         }
         self.cascades += 1;
-        self.largest_velocity_first(low, high, t);
+        self.cascade(low, high, t);
+        Ok(())
+    }
+
+    /// The cascade of the touching gaps from `low` to `high`, to its end or to a pause.
+    pub(super) fn cascade(&mut self, low: usize, high: usize, t: f64) {
+        if !self.largest_velocity_first(low, high, t) {
+            self.paused = Some((low, high));
+            return;
+        }
+        self.paused = None;
         self.stick(low, high, t);
         if low == 0 {
             self.settle_on_floor(high, t);
@@ -43,7 +52,6 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         if low == 0 {
             self.schedule_take_off();
         }
-        Ok(())
     }
 
     /// The gaps around `i` that touch, brought to time `t` together with the next gap
@@ -52,14 +60,14 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let (mut low, mut high) = (i, i);
         while low > 0 {
             self.sync(low - 1, t);
-            if !self.chatter.touch(low - 1, self.gaps[low - 1].g) {
+            if self.gaps[low - 1].g > 0.0 {
                 break;
             }
             low -= 1;
         }
         while high + 1 < self.gaps.len() {
             self.sync(high + 1, t);
-            if !self.chatter.touch(high + 1, self.gaps[high + 1].g) {
+            if self.gaps[high + 1].g > 0.0 {
                 break;
             }
             high += 1;
@@ -68,21 +76,24 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     }
 
     /// Sec. II B: of all touching pairs that approach, the fastest collides, until
-    /// none approaches faster than the threshold.
-    fn largest_velocity_first(&mut self, low: usize, high: usize, t: f64) {
+    /// none approaches faster than what counts as none. False where that takes so long
+    /// that a pause is due.
+    fn largest_velocity_first(&mut self, low: usize, high: usize, t: f64) -> bool {
         if low == high {
-            if self.gaps[low].w < -self.threshold {
+            if self.gaps[low].w < -self.closing.speed {
                 self.collide(low, t);
             }
-            return;
+            return true;
         }
         for j in low..=high {
             self.approach.write(j, self.gaps[j].w);
         }
         self.approach.play_again(low, high);
-        for _ in 0..self.most_collisions(high - low + 1) {
+        let mut done = false;
+        for _ in 0..PAUSE {
             let (j, w) = self.approach.first();
-            if w >= -self.threshold {
+            done = w >= -self.closing.speed;
+            if done {
                 break;
             }
             self.collide(j, t);
@@ -96,18 +107,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             self.approach.write(j, f64::INFINITY);
         }
         self.approach.play_again(low, high);
-    }
-
-    /// Collisions of a cascade of `k` gaps after which what is left of it is taken as
-    /// totally inelastic. Waves cross k beads in k²/2 collisions; only a cascade in
-    /// collapse has many more, of the order of k³ until it is all spent.
-    fn most_collisions(&self, k: usize) -> usize {
-        let elastic = self.pairs.last().map_or(1.0, |pair| pair.restitution);
-        if k as f64 * (1.0 - elastic) > ABSORBING {
-            10_000 + 20 * k
-        } else {
-            1000 * k + 4 * k * k
-        }
+        done
     }
 
     /// One collision of the beads at gap `j`, whose rates are of time `t`.
@@ -131,12 +131,13 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.collided[j] = self.cascades;
     }
 
-    /// Touching beads that still approach, slower than the threshold (or after too
-    /// many collisions), go on together, with their momentum.
+    /// Touching beads that still approach, so slowly that it counts as nothing, go on
+    /// together, with their momentum: their collapse is closed.
     fn stick(&mut self, low: usize, high: usize, t: f64) {
         if self.gaps[low..=high].iter().all(|gap| gap.w >= 0.0) {
             return;
         }
+        self.state.books.closed += 1;
         // Velocities relative to the floor, or to the lowest bead of the block.
         let first = low.saturating_sub(1);
         let on_floor = low == 0;
@@ -200,7 +201,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let mut stack = 0;
         if pressing > 0.0 {
             for j in 0..=high {
-                let slowest = 0.5 * self.rest_time * pressing * (1.0 - self.pairs[j].restitution);
+                let slowest =
+                    0.5 * self.closing.rest_time * pressing * (1.0 - self.pairs[j].restitution);
                 if self.gaps[j].w > slowest {
                     break;
                 }
@@ -218,7 +220,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Bead `j`, about to leave the resting stack ever so slowly, stays on it.
     fn rest(&mut self, j: usize, t: f64) {
-        let Gap { g, w, .. } = self.gaps[j];
+        let w = self.gaps[j].w;
         self.gaps[j] = Gap { g: 0.0, w: 0.0, t };
         if w != 0.0 {
             let m = self.masses[j];
@@ -230,11 +232,6 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 let work = -m * w * self.ground.plate(t).velocity();
                 self.state.books.ledger.plate_work.add(work);
             }
-        }
-        if g != 0.0 {
-            // The last of a chattering gap closes: all above it come down by that much.
-            let above: f64 = self.masses[j..].iter().sum();
-            self.state.books.ledger.lost.add(above * self.gravity * g);
         }
     }
 

@@ -63,13 +63,11 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let above = above.map(|gap| (gap.flown(&self.ground, false, t).0, gap));
         let over = above.as_ref().map(|(over, _)| *over);
         let (pair, w) = (self.pairs[i], gap.w);
-        let parts = w < -self.threshold && w.is_finite() && pair.restitution > 0.0;
-        let beside = self.chatter.touch(i - 1, under)
-            || over.is_some_and(|over| self.chatter.touch(i + 1, over));
+        let parts = w < -self.closing.speed && w.is_finite() && pair.restitution > 0.0;
+        let beside = under <= 0.0 || over.is_some_and(|over| over <= 0.0);
         if beside || !parts {
             return false;
         }
-        self.chatter.collides(i, t);
         let elastic = self.rule.elastic(Some(i - 1), i, t);
         let (after, change, lost) = pair.collide(w, elastic);
         *gap = Gap {
@@ -78,17 +76,21 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             t,
         };
         self.queue.write(i, f64::INFINITY);
-        let (g, w) = (under.max(0.0), rate - change * pair.below);
-        *below = Gap { g, w, t };
-        self.queue.write(i - 1, below.closes(&self.ground, lowest));
+        let w = rate - change * pair.below;
+        *below = Gap { g: under, w, t };
+        let mut soonest = below.closes(&self.ground, lowest);
+        self.queue.write(i - 1, soonest);
         let mut high = i;
         if let Some((over, gap)) = above {
-            let (g, w) = (over.max(0.0), gap.w - change * pair.above);
-            *gap = Gap { g, w, t };
+            let w = gap.w - change * pair.above;
+            *gap = Gap { g: over, w, t };
             high += 1;
-            self.queue.write(high, gap.closes(&self.ground, false));
+            let closes = gap.closes(&self.ground, false);
+            soonest = soonest.min(closes);
+            self.queue.write(high, closes);
         }
         self.queue.play_again(i - 1, high);
+        self.look_ahead(soonest, t);
         let time = self.absolute(t);
         let books = &mut self.state.books;
         books.ledger.lost.add(lost);

@@ -82,7 +82,9 @@ impl<G: Ground> Exact<G> {
         self.check_at = (events + self.gaps.len() as u64, steps + INSPECTION);
         let (next, when) = self.queue.first();
         let rate = self.gaps[next].w;
-        if open && when.is_finite() && much_to_come(&self.masses, next, rate, self.energy_at_first)
+        if open
+            && when.is_finite()
+            && much_to_come(&self.masses, next, rate, OVER * self.energy_at_first)
         {
             return;
         }

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{Ground, first_root, power_of_two};
+use crate::physics::ledger::Sum;
 use crate::physics::plate::Plate;
 
 /// α below which nothing takes off. Just above 1 the plate falls away for so short a
@@ -12,7 +13,9 @@ const BARELY: f64 = 1.0 + 1e-9;
 /// A vibrating plate under gravity.
 pub(crate) struct Shaken {
     gravity: f64,
+    /// The plate `since` s before the epoch.
     plate: Plate,
+    since: Sum,
     /// Aω², m/s².
     shake: f64,
     /// Phase asin(1/α) at which a resting bead takes off; None when α ≤ 1.
@@ -97,6 +100,7 @@ impl Shaken {
         Self {
             gravity,
             plate,
+            since: Sum::default(),
             shake,
             take_off,
             tick,
@@ -104,7 +108,7 @@ impl Shaken {
     }
 
     fn phase(&self, t: f64) -> f64 {
-        (self.plate.phase + self.plate.omega * t).rem_euclid(TAU)
+        (self.plate.phase + self.plate.omega * (self.since.total() + t)).rem_euclid(TAU)
     }
 
     fn falling(&self, t0: f64, g: f64, w: f64) -> Fall {
@@ -219,12 +223,17 @@ impl Ground for Shaken {
         self.tick
     }
 
-    fn move_epoch(&mut self) {
-        self.plate = self.plate.later(self.tick);
+    fn move_epoch(&mut self, by: f64) {
+        self.since.add(by);
+        // A phase is rounded where it turns, once a period.
+        if self.since.total() >= self.tick {
+            self.plate = self.plate.later(self.tick);
+            self.since.add(-self.tick);
+        }
     }
 
     fn set_plate(&mut self, plate: Plate) {
-        self.plate = plate;
+        (self.plate, self.since) = (plate, Sum::default());
     }
 
     fn pull(&self, t: f64, h: f64, into: &mut [f64]) {

@@ -10,7 +10,7 @@ use crate::physics::grid::Grid;
 use crate::physics::ledger::Ledger;
 use crate::physics::md::Law;
 use crate::physics::observation::Observation;
-use crate::physics::state::{Books, State};
+use crate::physics::state::{Books, Depth, State};
 use crate::physics::{Engine, EngineError, Outcome};
 
 /// A lattice on a grid of steps.
@@ -170,6 +170,7 @@ impl<M: Mover, L: Law, S: Surface> Engine for Lattice<M, L, S> {
         State {
             time: self.time(),
             ledger_error: books.ledger.error(energy),
+            closing: Depth::default(),
             gaps: places,
             rates,
             plate: self.state.plate,

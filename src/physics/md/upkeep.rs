@@ -28,7 +28,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     }
 
     pub(super) fn nothing_to_come(&self) -> bool {
-        nothing_to_come(self.rates().into_iter(), &self.masses)
+        nothing_to_come(self.rates().into_iter(), &self.masses, OVER)
     }
 
     /// Goes on in one flight to just before the next contact, if nothing pulls and no
