@@ -22,6 +22,7 @@ pub use method::MethodName;
 pub use preset::Preset;
 pub use start::{diameters, initial_gaps};
 
+use crate::math;
 use std::ops::Deref;
 
 /// How the column starts.
@@ -193,7 +194,7 @@ impl Facts {
                     frequency,
                 },
                 Some(gravity),
-            ) => Some(amplitude * angular(frequency).powi(2) / gravity),
+            ) => Some(amplitude * math::powi(angular(frequency), 2) / gravity),
             _ => None,
         }
     }

@@ -2,13 +2,14 @@
 
 use super::linear_law::{LinearLaw, pair_restitution, same_spring_floor};
 use super::power_law::Spring;
+use crate::math;
 use crate::scene::{FloorContact, Law, PowerLaw, Scene, diameters};
 
 /// Masses of the beads of a scene, in mean bead masses (m ∝ d³).
 pub(crate) fn masses(scene: &Scene) -> Vec<f64> {
     diameters(scene)
         .iter()
-        .map(|d| (d / scene.diameter).powi(3))
+        .map(|d| math::powi(d / scene.diameter, 3))
         .collect()
 }
 

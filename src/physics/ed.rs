@@ -24,6 +24,7 @@ use super::observation::Observation;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
+use crate::math;
 use crate::scene::{CollisionRule, Floor, Method, Scene};
 use closing::Closing;
 use pair::{Pair, pairs};
@@ -256,7 +257,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// Kinetic and gravitational energy per mass of what moves with the floor.
     fn floor_energy(&self, t: f64) -> f64 {
         let plate = self.ground.plate(t);
-        0.5 * plate.velocity().powi(2) + self.gravity * plate.position()
+        0.5 * math::powi(plate.velocity(), 2) + self.gravity * plate.position()
     }
 
     fn stack_mass(&self) -> f64 {

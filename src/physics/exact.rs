@@ -27,6 +27,7 @@ use super::power_law::Spring;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
+use crate::math;
 use crate::scene::{Floor, Law, Method, Scene};
 use cluster::Plan;
 use crossing::ROWS;
@@ -157,7 +158,7 @@ impl<G: Ground> Exact<G> {
         let n = scene.n;
         let masses = masses(scene);
         let springs = springs(scene, &masses);
-        let shake = state.plate.amplitude * state.plate.omega.powi(2);
+        let shake = state.plate.amplitude * math::powi(state.plate.omega, 2);
         let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
         let mut exact = Self {
             encounters: Encounter::all(&springs, &masses),
@@ -179,7 +180,7 @@ impl<G: Ground> Exact<G> {
             queue: Tournament::new(n),
             origin: state.time,
             ticks: 0.0,
-            tick: (TICK * contact_time).log2().round().exp2(),
+            tick: math::exp2(math::log2(TICK * contact_time).round()),
             now: 0.0,
             repose: Repose::new(),
             since: 0,

@@ -7,6 +7,7 @@ mod shaken;
 pub(crate) use shaken::Shaken;
 
 use super::plate::Plate;
+use crate::math;
 
 /// The floor and gravity of a column whose flights are in closed form.
 pub(crate) trait Ground: Send {
@@ -134,7 +135,7 @@ impl Weight {
 
 /// The power of two nearest to `x`.
 fn power_of_two(x: f64) -> f64 {
-    x.log2().round().exp2()
+    math::exp2(math::log2(x).round())
 }
 
 impl Ground for Weight {

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::column::{alone, masses, springs};
+use crate::math;
 use crate::scene::{FloorContact, Law, Method, Scene, diameters, rebound};
 
 /// The linear law of a pair of mean beads, from its restitution and contact time.
@@ -19,7 +20,7 @@ impl LinearLaw {
     /// ω = π/t_c, μ = −ln ε/t_c (Eqs. 6, 7).
     pub fn new(restitution: f64, contact_time: f64) -> Self {
         Self {
-            mu: -restitution.ln() / contact_time,
+            mu: -math::ln(restitution) / contact_time,
             omega: PI / contact_time,
         }
     }
@@ -56,7 +57,7 @@ impl LinearLaw {
 
     /// Restitution ε = exp(−μ t_c) of a pair, Eq. (7).
     pub fn restitution(&self) -> f64 {
-        (-self.mu * self.contact_time()).exp()
+        math::exp(-self.mu * self.contact_time())
     }
 
     /// Restitution ε_w = exp(−πμ/√(2ω₀² − μ²)) of a bead on a floor with the
@@ -84,7 +85,7 @@ fn damped_rebound(mean: f64, share_of_mu: f64, reduced: f64) -> f64 {
     if mean >= 1.0 {
         return 1.0;
     }
-    let r = -mean.ln() / PI;
+    let r = -math::ln(mean) / PI;
     // 1/(1 + 1/r²) is s, and 1 at r = ∞ (ε = 0).
     let s = 1.0 / (1.0 + 1.0 / (r * r));
     let discriminant = 0.5 / reduced - share_of_mu * share_of_mu * s;
@@ -92,7 +93,7 @@ fn damped_rebound(mean: f64, share_of_mu: f64, reduced: f64) -> f64 {
     if discriminant <= f64::EPSILON {
         return 0.0;
     }
-    (-PI * share_of_mu * (s / discriminant).sqrt()).exp()
+    math::exp(-PI * share_of_mu * (s / discriminant).sqrt())
 }
 
 /// Restitution of the floor contact in force in a scene; under a power law that of a
@@ -116,7 +117,7 @@ pub fn floor_restitution(scene: &Scene) -> f64 {
         FloorContact::SameRestitution => scene.restitution,
         FloorContact::SameSpring => {
             let first = diameters(scene)[0] / scene.diameter;
-            same_spring_floor(scene.restitution, first.powi(3))
+            same_spring_floor(scene.restitution, math::powi(first, 3))
         }
     }
 }

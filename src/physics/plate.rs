@@ -1,5 +1,6 @@
 //! The vibrating floor, z₀ = A₀ sin θ, θ = 2πft + θ₀, Eq. (1).
 
+use crate::math;
 use crate::scene::{Floor, Scene, angular};
 
 /// The plate as state: its phase survives edits, and `centre` takes up what an edit
@@ -57,16 +58,16 @@ impl Plate {
 
     /// Height z₀, m.
     pub fn position(&self) -> f64 {
-        self.centre + self.amplitude * self.phase.sin()
+        self.centre + self.amplitude * math::sin(self.phase)
     }
 
     /// Velocity ż₀, m/s.
     pub fn velocity(&self) -> f64 {
-        self.amplitude * self.omega * self.phase.cos()
+        self.amplitude * self.omega * math::cos(self.phase)
     }
 
     /// Acceleration z̈₀, m/s².
     pub fn acceleration(&self) -> f64 {
-        -self.amplitude * self.omega * self.omega * self.phase.sin()
+        -self.amplitude * self.omega * self.omega * math::sin(self.phase)
     }
 }

@@ -1,6 +1,8 @@
 //! Springs and dashpots that go with powers of the overlap, Eq. (8); the linear law is
 //! the case β = γ = 0.
 
+use crate::math;
+
 /// Spring and dashpot of one contact: at overlap x = −g > 0 the force is
 /// K x^(1+β) + c x^γ ẋ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +27,7 @@ pub(crate) fn power(x: f64, p: f64) -> f64 {
     } else if p == 0.25 {
         x.sqrt().sqrt()
     } else {
-        x.powf(p)
+        math::powf(x, p)
     }
 }
 
@@ -52,12 +54,15 @@ impl Spring {
 
     /// The overlap that carries the load `force` ≥ 0, m.
     pub fn overlap_under(&self, force: f64) -> f64 {
-        (force / self.stiffness).powf(1.0 / (1.0 + self.beta))
+        math::powf(force / self.stiffness, 1.0 / (1.0 + self.beta))
     }
 
     /// The overlap that stores `energy` ≥ 0, m.
     fn overlap_storing(&self, energy: f64) -> f64 {
-        (energy * (2.0 + self.beta) / self.stiffness).powf(1.0 / (2.0 + self.beta))
+        math::powf(
+            energy * (2.0 + self.beta) / self.stiffness,
+            1.0 / (2.0 + self.beta),
+        )
     }
 
     /// The overlap with which this contact goes on from another's overlap `x` ≥ 0.

@@ -10,6 +10,7 @@
 use super::column::{masses, springs};
 use super::md::CORRECTOR;
 use super::power_law::Spring;
+use crate::math;
 use crate::scene::{Arrangement, Integrator, Law, Method, Scene, Solver};
 use nalgebra::{DMatrix, Matrix3, Matrix6, RowVector3, RowVector6, Schur, Vector6};
 use std::f64::consts::PI;
@@ -47,7 +48,7 @@ pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
     let uniform = scene.width == 0.0 && springs.iter().all(|s| s.stiffness == springs[0].stiffness);
     let stiffness = if uniform {
         // Modes of a chain of equal springs, held below and free above.
-        let wave = (PI / (2 * scene.n + 1) as f64).cos();
+        let wave = math::cos(PI / (2 * scene.n + 1) as f64);
         4.0 * springs[0].stiffness * wave * wave
     } else {
         largest_eigenvalue(&masses, &springs, |spring| spring.stiffness)
@@ -176,7 +177,9 @@ fn radius(matrix: DMatrix<f64>) -> f64 {
         return f64::INFINITY;
     };
     let moduli = schur.complex_eigenvalues();
-    moduli.iter().fold(0.0, |most, z| z.norm().max(most))
+    moduli
+        .iter()
+        .fold(0.0, |most, z| math::polar(*z).0.max(most))
 }
 
 /// A step of Verlet for (x, h ẋ, h² ẍ); the dashpot sees the velocity that the old

@@ -4,6 +4,7 @@
 //! ξ'' = −2δ ξ^γ ξ' − a ξ^(1+β), a = 1 + β/2, ξ'(0) = 1. With the energy's polar
 //! coordinates ξ' = ρ cos φ, ξ^a = ρ sin φ it runs from φ = 0 to π, and ρ ends as ε.
 
+use crate::math;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::law::PowerLaw;
@@ -19,13 +20,13 @@ struct Angle {
 
 impl Angle {
     fn at(s: f64) -> Self {
-        let u = FRAC_PI_2 * s.sinh();
-        let outer = PI / (1.0 + (2.0 * u.abs()).exp());
-        let (sin, cos) = outer.sin_cos();
+        let u = FRAC_PI_2 * math::sinh(s);
+        let outer = PI / (1.0 + math::exp(2.0 * u.abs()));
+        let (sin, cos) = math::sin_cos(outer);
         Self {
             sin,
             cos: if s > 0.0 { -cos } else { cos },
-            slope: 2.0 * outer * (1.0 - outer / PI) * FRAC_PI_2 * s.cosh(),
+            slope: 2.0 * outer * (1.0 - outer / PI) * FRAC_PI_2 * math::cosh(s),
         }
     }
 }
@@ -41,7 +42,7 @@ pub(super) fn undamped_shape(beta: f64) -> f64 {
             let angle = Angle::at(f64::from(k) * STEP);
             // The ends underflow to 0 · ∞.
             if angle.slope > 0.0 {
-                angle.slope * angle.sin.powf(-0.5 * beta / a)
+                angle.slope * math::powf(angle.sin, -0.5 * beta / a)
             } else {
                 0.0
             }
@@ -59,12 +60,12 @@ pub fn rebound(law: &PowerLaw, attraction: bool, speed: f64) -> f64 {
         beta,
         gamma,
         a: 1.0 + 0.5 * beta,
-        delta: law.damping * depth.powf(gamma) * (depth / speed),
+        delta: law.damping * math::powf(depth, gamma) * (depth / speed),
         attraction,
     };
     // Two runs of fourth order, and what they say together.
     match (contact.end(STEPS), contact.end(2 * STEPS)) {
-        (Some(rough), Some(fine)) => (fine + (fine - rough) / 15.0).exp(),
+        (Some(rough), Some(fine)) => math::exp(fine + (fine - rough) / 15.0),
         _ => 0.0,
     }
 }
@@ -85,10 +86,10 @@ impl Contact {
     /// d ln ρ/ds; none where the motion creeps and never comes to the end.
     fn slope(&self, s: f64, ln_rho: f64) -> Option<f64> {
         let Angle { sin, cos, slope } = Angle::at(s);
-        let xi = (ln_rho.exp() * sin).powf(1.0 / self.a);
-        let stiff = self.a * xi.powf(0.5 * self.beta);
+        let xi = math::powf(math::exp(ln_rho) * sin, 1.0 / self.a);
+        let stiff = self.a * math::powf(xi, 0.5 * self.beta);
         let elastic = stiff * sin;
-        let full = elastic + 2.0 * self.delta * xi.powf(self.gamma) * cos;
+        let full = elastic + 2.0 * self.delta * math::powf(xi, self.gamma) * cos;
         let force = if self.attraction { full } else { full.max(0.0) };
         let turn = stiff * cos * cos + sin * force;
         if slope == 0.0 {

@@ -1,5 +1,6 @@
 //! The laws of a soft contact, Eq. (8), and the change from one to another.
 
+use crate::math;
 use std::f64::consts::PI;
 
 use super::encounter::undamped_shape;
@@ -141,7 +142,7 @@ impl PowerLaw {
     /// The linear law of a pair with restitution ε and contact time t_c, s, as a power
     /// law: K/m = ω₀² and D_n = μ, Eqs. (5)–(7).
     pub fn linear(restitution: f64, contact_time: f64) -> Self {
-        let (omega, mu) = (PI / contact_time, -restitution.ln() / contact_time);
+        let (omega, mu) = (PI / contact_time, -math::ln(restitution) / contact_time);
         Self {
             exponents: Exponents::Free {
                 beta: 0.0,
@@ -155,7 +156,10 @@ impl PowerLaw {
     /// Largest overlap of an undamped pair that meets at `speed`, m, Eq. (A1).
     pub fn penetration(&self, speed: f64) -> f64 {
         let beta = self.exponents.beta();
-        ((1.0 + 0.5 * beta) * (speed * speed / self.stiffness)).powf(1.0 / (2.0 + beta))
+        math::powf(
+            (1.0 + 0.5 * beta) * (speed * speed / self.stiffness),
+            1.0 / (2.0 + beta),
+        )
     }
 
     /// Contact time of an undamped pair that meets at `speed`, s, Eq. (A2).
@@ -173,8 +177,10 @@ impl PowerLaw {
         let rate = speed / depth;
         Self {
             exponents,
-            stiffness: rounded((1.0 + 0.5 * beta) * (rate * rate) * depth.powf(-beta)),
-            damping: rounded(self.damping * (0.5 * depth).powf(self.exponents.gamma() - gamma)),
+            stiffness: rounded((1.0 + 0.5 * beta) * (rate * rate) * math::powf(depth, -beta)),
+            damping: rounded(
+                self.damping * math::powf(0.5 * depth, self.exponents.gamma() - gamma),
+            ),
         }
     }
 
@@ -190,7 +196,7 @@ impl PowerLaw {
             speed,
         );
         let strongest = {
-            let r = -FEEBLEST.ln() / PI;
+            let r = -math::ln(FEEBLEST) / PI;
             (r * r / (1.0 + r * r)).sqrt() * linear.stiffness.sqrt()
         };
         let mu = if linear.damping > strongest {
@@ -199,7 +205,10 @@ impl PowerLaw {
             linear.damping
         };
         let contact_time = PI / (linear.stiffness - mu * mu).sqrt();
-        (rounded((-mu * contact_time).exp()), rounded(contact_time))
+        (
+            rounded(math::exp(-mu * contact_time)),
+            rounded(contact_time),
+        )
     }
 }
 

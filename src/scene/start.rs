@@ -1,6 +1,7 @@
 //! What is random in a scene, and where its column starts.
 
 use super::{Facts, Start};
+use crate::math;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
@@ -51,7 +52,7 @@ pub fn initial_gaps(facts: &Facts) -> Vec<f64> {
 pub(super) fn uniform(seed: u64, stream: u64) -> impl Iterator<Item = f64> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     rng.set_stream(stream);
-    let spacing = 0.5_f64.powi(53);
+    let spacing = math::powi(0.5, 53);
     std::iter::repeat_with(move || (rng.next_u64() >> 11) as f64 * spacing)
 }
 

@@ -1,5 +1,7 @@
 //! Straight lines, medians and standard errors.
 
+use crate::math;
+
 /// Slope of the line of least squares through the points; none through fewer than
 /// two places.
 pub fn slope(points: &[(f64, f64)]) -> Option<f64> {
@@ -8,7 +10,7 @@ pub fn slope(points: &[(f64, f64)]) -> Option<f64> {
         .iter()
         .fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));
     let over: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
-    let under: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
+    let under: f64 = points.iter().map(|p| math::powi(p.0 - x, 2)).sum();
     (points.len() >= 2 && under > 0.0).then(|| over / under)
 }
 
@@ -35,7 +37,7 @@ pub fn standard_error(values: &[f64]) -> Option<f64> {
     while blocks.len() >= FEWEST_BLOCKS {
         let n = blocks.len() as f64;
         let mean = blocks.iter().sum::<f64>() / n;
-        let scatter: f64 = blocks.iter().map(|x| (x - mean).powi(2)).sum();
+        let scatter: f64 = blocks.iter().map(|x| math::powi(x - mean, 2)).sum();
         let error = (scatter / (n * (n - 1.0))).sqrt();
         largest = Some(largest.map_or(error, |most| most.max(error)));
         blocks = blocks

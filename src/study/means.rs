@@ -2,6 +2,7 @@
 //! that neighbours are alike.
 
 use super::fit::standard_error;
+use crate::math;
 use crate::physics::Observation;
 use std::ops::Range;
 
@@ -104,7 +105,7 @@ impl Means {
 impl Mean {
     /// Distance from another in units of both standard errors together.
     pub fn in_errors_from(self, other: Self) -> Option<f64> {
-        let both = self.error?.hypot(other.error?);
+        let both = math::hypot(self.error?, other.error?);
         (both > 0.0).then(|| (self.value - other.value).abs() / both)
     }
 }

@@ -1,6 +1,7 @@
 //! A run from start to end, and what it measures.
 
 use super::drive::{Drive, RunError};
+use crate::math;
 use crate::physics::Observation;
 use crate::scene::{Scene, diameters};
 
@@ -142,7 +143,7 @@ fn mean_height(
     let mean = parts.iter().map(|(sum, _)| sum).sum::<f64>() / looks;
     let filled = parts.iter().filter(|(_, count)| *count > 0.0);
     let spread: f64 = filled
-        .map(|(sum, count)| (sum / count - mean).powi(2))
+        .map(|(sum, count)| math::powi(sum / count - mean, 2))
         .sum();
     let error = (spread / (PARTS * (PARTS - 1)) as f64).sqrt();
     Ok((mean + stacking_height(scene), error))
@@ -153,7 +154,7 @@ pub(super) fn stacking_height(scene: &Scene) -> f64 {
     let (mut top, mut mass, mut moment) = (0.0, 0.0, 0.0);
     for d in diameters(scene) {
         // Relative to the mean bead, so that no diameter is too small.
-        let m = (d / scene.diameter).powi(3);
+        let m = math::powi(d / scene.diameter, 3);
         mass += m;
         moment += m * (top + d / 2.0);
         top += d;

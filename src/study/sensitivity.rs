@@ -3,6 +3,7 @@
 use super::drive::{Drive, RunError, Watch};
 use super::measure::{Results, measure};
 use super::vary::{PATTERNS, one_ulp_off};
+use crate::math;
 use crate::scene::Scene;
 
 /// Bead steps of a run that may be done twice without being asked to.
@@ -116,7 +117,7 @@ pub fn digits(part: f64) -> usize {
         clippy::cast_sign_loss,
         reason = "between 1 and 17"
     )]
-    let digits = (1.0 - part.log10().floor()).clamp(1.0, 17.0) as usize;
+    let digits = (1.0 - math::log10(part).floor()).clamp(1.0, 17.0) as usize;
     digits
 }
 

@@ -1,5 +1,7 @@
 //! Numbers in words for people: few digits, units with a prefix.
 
+use crate::math;
+
 /// Two or three significant digits: `0.034`, `12.5`, `1.2e-6`; and `0`.
 pub fn short(x: f64) -> String {
     if !x.is_finite() {
@@ -37,7 +39,7 @@ pub fn prefix(size: f64) -> (f64, &'static str) {
     if size > 0.0 && size.is_finite() {
         best = (1e-12, "p");
         for (power, name) in PREFIXES {
-            let factor = 10f64.powi(power);
+            let factor = math::powi(10.0, power);
             if size >= factor * 0.999_999 {
                 best = (factor, name);
             }
@@ -65,7 +67,7 @@ pub fn clock(time: f64, span: f64) -> String {
         clippy::cast_sign_loss,
         reason = "clamped to 0..=6"
     )]
-    let decimals = (2.0 - (span / factor).log10().floor()).clamp(0.0, 6.0) as usize;
+    let decimals = (2.0 - math::log10(span / factor).floor()).clamp(0.0, 6.0) as usize;
     format!("{:.decimals$} {prefix}s", time / factor)
 }
 

@@ -4,6 +4,8 @@
 //! Increments are extrapolated, not values: a gap of a millimetre that changes by a
 //! picometre keeps its digits.
 
+use crate::math;
+
 /// Most columns of the tableau.
 const COLUMNS: usize = 6;
 /// Columns before which no agreement is believed.
@@ -86,7 +88,7 @@ impl Extrapolation {
             // A NaN is no agreement.
             let good = error <= 1.0;
             let power = 1.0 / (2 * k + 1) as f64;
-            let factor = (SAFETY / error.max(1e-12).powf(power)).clamp(0.1, GROWTH);
+            let factor = (SAFETY / math::powf(error.max(1e-12), power)).clamp(0.1, GROWTH);
             let cost = work(k) / factor;
             if cost < next.0 {
                 next = (cost, h * factor);

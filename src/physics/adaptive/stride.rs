@@ -4,6 +4,7 @@
 use super::chain::Chain;
 use super::crossing::{Course, Fall, Jet};
 use super::extrapolation::Extrapolation;
+use crate::math;
 use crate::physics::flight::{Ground, closing};
 
 /// Part of the scene's tolerance that a step may use up: a contact takes many.
@@ -69,7 +70,7 @@ impl<G: Ground> Motion<G> {
         let roughness = [1.0 + spring.gamma, 2.0 + spring.beta];
         let roughness = roughness.into_iter().filter(|p| p.fract() != 0.0);
         let roughness = roughness.fold(f64::INFINITY, f64::min);
-        let first = contact_time * tolerance.powf(1.0 / roughness).min(0.1);
+        let first = contact_time * math::powf(tolerance, 1.0 / roughness).min(0.1);
         Self {
             ground,
             closed: y[..n].iter().map(|&g| g <= 0.0).collect(),

@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use super::{Exact, Gap, Mode};
+use crate::math;
 use crate::physics::column::reduced_mass;
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
@@ -46,7 +47,7 @@ impl Encounter {
             mu,
             omega,
             lasts,
-            restitution: (-mu * lasts).exp(),
+            restitution: math::exp(-mu * lasts),
         })
     }
 
@@ -55,8 +56,8 @@ impl Encounter {
         if tau >= self.lasts {
             return (0.0, -self.restitution * w);
         }
-        let (sin, cos) = (self.omega * tau).sin_cos();
-        let now = w * (-self.mu * tau).exp();
+        let (sin, cos) = math::sin_cos(self.omega * tau);
+        let now = w * math::exp(-self.mu * tau);
         let over = now * sin / self.omega;
         (over, now * cos - self.mu * over)
     }

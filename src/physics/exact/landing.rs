@@ -4,6 +4,7 @@ use nalgebra::Complex;
 
 use super::encounter::Encounter;
 use super::{Exact, Gap, Mode};
+use crate::math;
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
 use crate::physics::plate::Plate;
@@ -59,7 +60,7 @@ impl Landing {
         if !weak || 2.0 * plate.omega > omega {
             return None;
         }
-        let drive = Complex::from_polar(-shake, plate.phase);
+        let drive = math::cis(plate.phase) * -shake;
         let resistance = Complex::new(squared - plate.omega * plate.omega, 2.0 * mu * plate.omega);
         let (answer, sag) = (-drive / resistance, gravity / squared);
         let start = sag - answer.im;
@@ -89,9 +90,9 @@ impl Landing {
 
     /// Gap and rate at τ.
     fn at(&self, tau: f64) -> (f64, f64) {
-        let own = self.own * (self.lambda * tau).exp();
+        let own = self.own * math::complex_exp(self.lambda * tau);
         let answer = if self.moves() {
-            self.answer * Complex::cis(self.plate.omega * tau)
+            self.answer * math::cis(self.plate.omega * tau)
         } else {
             Complex::ZERO
         };
@@ -130,7 +131,7 @@ impl Landing {
         }
         let beat = Complex::new(0.0, self.plate.omega);
         // ∫ e^{aτ} dτ.
-        let integral = |a: Complex<f64>| ((a * tau).exp() - 1.0) / a;
+        let integral = |a: Complex<f64>| (math::complex_exp(a * tau) - 1.0) / a;
         let (own, lambda, drive) = (self.own * self.lambda, self.lambda, self.drive);
         let swing = own * drive * integral(lambda + beat)
             + own.conj() * drive * integral(lambda.conj() + beat);

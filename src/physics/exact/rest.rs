@@ -10,6 +10,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::crossing::ROWS;
 use super::series::{Coupling, PHASE, Series, expand, lanes};
+use crate::math;
 use crate::physics::plate::Plate;
 use crate::physics::power_law::Spring;
 
@@ -131,7 +132,7 @@ impl Stack {
 impl Stack {
     /// Steady gaps, m, and rates, m/s, when the plate is at `phase`.
     fn steady(&self, phase: f64) -> impl Iterator<Item = (f64, f64)> {
-        let turn = Complex::from_polar(1.0, phase);
+        let turn = math::cis(phase);
         let weights = self.weight.iter().zip(&self.answer);
         weights.map(move |(weight, answer)| {
             let now = answer * turn;
@@ -171,8 +172,8 @@ impl Stack {
             return None;
         }
         if rest.energy > 0.0 {
-            rest.lasts = rest.lasts.min(f64::from(POWERS).exp2() * self.h);
-            let doublings = steps.log2().min(POWERS.into());
+            rest.lasts = rest.lasts.min(math::exp2(POWERS.into()) * self.h);
+            let doublings = math::log2(steps).min(POWERS.into());
             while (self.powers.len() as f64) < doublings + 1.0 {
                 let next = match self.powers.last() {
                     Some(last) => last * last,
@@ -188,7 +189,7 @@ impl Stack {
     fn sure(&self, i: usize, energy: f64, phase: f64) -> f64 {
         let most = (2.0 * energy / self.springs[i].stiffness).sqrt();
         let spare = self.weight[i] * (1.0 - RESERVE) - most;
-        let (size, lead) = self.answer[i].to_polar();
+        let (size, lead) = math::polar(self.answer[i]);
         // Closed while |X| sin(θ + φ) is less than what is to spare.
         let sine = spare / size;
         if spare <= 0.0 {
@@ -198,10 +199,10 @@ impl Stack {
             return f64::INFINITY;
         }
         let angle = phase + lead;
-        if angle.sin() >= sine {
+        if math::sin(angle) >= sine {
             return 0.0;
         }
-        (sine.asin() - angle).rem_euclid(std::f64::consts::TAU) / self.omega
+        (math::asin(sine) - angle).rem_euclid(std::f64::consts::TAU) / self.omega
     }
 
     /// Energy of a transient, m²/s².
@@ -226,7 +227,7 @@ impl Stack {
         let steps = tau / self.h;
         let mut transient = self.short(&rest.transient, steps.fract());
         for (doubling, power) in self.powers.iter().enumerate() {
-            let size = f64::from(u32::try_from(doubling).unwrap_or(u32::MAX)).exp2();
+            let size = math::exp2(doubling as f64);
             if (steps.floor() / size) % 2.0 >= 1.0 {
                 transient = power * transient;
             }
@@ -257,9 +258,10 @@ impl Stack {
     pub fn lost(&self, rest: &Rest, tau: f64, now: &DVector<f64>) -> f64 {
         let spent = rest.energy - self.energy(now);
         let follow = |(x, spring): (&Complex<f64>, &Spring)| {
-            let (size, lead) = (x * self.omega).to_polar();
+            let (size, lead) = math::polar(x * self.omega);
             let from = 2.0 * (rest.phase + lead);
-            let swing = ((from + 2.0 * self.omega * tau).sin() - from.sin()) / (4.0 * self.omega);
+            let swing =
+                (math::sin(from + 2.0 * self.omega * tau) - math::sin(from)) / (4.0 * self.omega);
             spring.dashpot * size * size * (0.5 * tau + swing)
         };
         if self.omega == 0.0 {

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{Ground, first_root, power_of_two};
+use crate::math;
 use crate::physics::ledger::Sum;
 use crate::physics::plate::Plate;
 
@@ -49,7 +50,7 @@ impl Fall {
                 + self.omega * (self.cos * (0.5 * x * x - cosine) - self.sin * sine);
             return (g, w);
         }
-        let (sin, cos) = x.sin_cos();
+        let (sin, cos) = math::sin_cos(x);
         let (plate, speed) = (
             self.sin * cos + self.cos * sin,
             self.omega * (self.cos * cos - self.sin * sin),
@@ -69,7 +70,7 @@ impl Fall {
     /// Size of the terms of which the gap at τ is the sum.
     fn size(&self, tau: f64) -> f64 {
         let (h, v) = self.height();
-        h.abs() + (v.abs() + 0.5 * self.gravity * tau) * tau + self.sin.hypot(self.cos)
+        h.abs() + (v.abs() + 0.5 * self.gravity * tau) * tau + math::hypot(self.sin, self.cos)
     }
 }
 
@@ -95,7 +96,7 @@ fn oscillation(a: f64, sin: f64, cos: f64, x: f64, into: &mut [f64]) {
 impl Shaken {
     pub fn new(gravity: f64, plate: Plate) -> Self {
         let shake = plate.amplitude * plate.omega * plate.omega;
-        let take_off = (shake > gravity * BARELY).then(|| (gravity / shake).asin());
+        let take_off = (shake > gravity * BARELY).then(|| math::asin(gravity / shake));
         let tick = power_of_two(TAU / plate.omega);
         Self {
             gravity,
@@ -112,7 +113,7 @@ impl Shaken {
     }
 
     fn falling(&self, t0: f64, g: f64, w: f64) -> Fall {
-        let (sin, cos) = self.phase(t0).sin_cos();
+        let (sin, cos) = math::sin_cos(self.phase(t0));
         let Plate {
             amplitude, omega, ..
         } = self.plate;
@@ -192,7 +193,7 @@ impl Ground for Shaken {
     }
 
     fn pressing(&self, t: f64) -> f64 {
-        let pressing = self.gravity - self.shake * self.phase(t).sin();
+        let pressing = self.gravity - self.shake * math::sin(self.phase(t));
         // Where nothing takes off, something presses, if only by a rounding.
         if self.take_off.is_some() {
             pressing
@@ -237,13 +238,13 @@ impl Ground for Shaken {
     }
 
     fn pull(&self, t: f64, h: f64, into: &mut [f64]) {
-        let (sin, cos) = self.phase(t).sin_cos();
+        let (sin, cos) = math::sin_cos(self.phase(t));
         oscillation(self.shake, sin, cos, self.plate.omega * h, into);
         into[0] -= self.gravity;
     }
 
     fn motion(&self, t: f64, h: f64, into: &mut [f64]) {
-        let (sin, cos) = self.phase(t).sin_cos();
+        let (sin, cos) = math::sin_cos(self.phase(t));
         let fastest = self.plate.amplitude * self.plate.omega;
         oscillation(fastest, cos, -sin, self.plate.omega * h, into);
     }

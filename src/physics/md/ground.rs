@@ -1,6 +1,7 @@
 //! What pulls on the lowest gap: nothing, gravity, or gravity and a moving plate.
 //! In gap coordinates no other gap feels any of them.
 
+use crate::math;
 use crate::physics::plate::Plate;
 
 /// Steps between two exact evaluations of the plate's sine; a rotation takes the
@@ -85,7 +86,7 @@ pub(crate) struct Shaken {
 
 impl Shaken {
     pub fn new(gravity: f64, start: Plate) -> Self {
-        let (sin, cos) = start.phase.sin_cos();
+        let (sin, cos) = math::sin_cos(start.phase);
         Self {
             gravity,
             start,
@@ -104,13 +105,13 @@ impl Ground for Shaken {
 
     fn set_step(&mut self, h: f64) {
         self.h = h;
-        self.turn = (self.start.omega * h).sin_cos();
+        self.turn = math::sin_cos(self.start.omega * h);
     }
 
     fn step(&mut self) {
         self.n += 1;
         (self.sin, self.cos) = if self.n.is_multiple_of(RESYNC) {
-            self.plate().phase.sin_cos()
+            math::sin_cos(self.plate().phase)
         } else {
             let (sin, cos) = self.turn;
             (

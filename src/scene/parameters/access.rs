@@ -2,6 +2,7 @@
 
 use super::Value;
 use super::rows::TC;
+use crate::math;
 use crate::scene::{
     Arrangement, CollisionRule, Exponents, Facts, Floor, Law, Method, PowerLaw, Solver, Start,
     angular,
@@ -180,7 +181,7 @@ pub(super) fn set_frequency(facts: &mut Facts, to: f64) {
 /// A₀ = α g/(2πf)² for the frequency and gravity in force.
 pub(super) fn set_alpha(facts: &mut Facts, alpha: f64) {
     if let (Some((_, frequency)), Some(gravity)) = (plate(facts), facts.gravity) {
-        set_amplitude(facts, alpha * gravity / angular(frequency).powi(2));
+        set_amplitude(facts, alpha * gravity / math::powi(angular(frequency), 2));
     }
 }
 

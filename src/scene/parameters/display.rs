@@ -1,6 +1,7 @@
 //! Values and parameters in words for people.
 
 use super::{Parameter, Value, table};
+use crate::math;
 use std::fmt::{self, Display, Formatter};
 
 /// SI prefixes by powers of 1000 below and above 1.
@@ -57,7 +58,7 @@ fn with_unit(x: f64, unit: &str, ascii: bool) -> String {
     } else {
         unit.to_owned()
     };
-    format!("{} {prefix}{unit}", digits(x / 10f64.powi(power)))
+    format!("{} {prefix}{unit}", digits(x / math::powi(10.0, power)))
 }
 
 /// The prefix that leaves one to three digits before the point. Only plain units

@@ -1,6 +1,7 @@
 //! What a key press does to a value.
 
 use super::{Kind, Parameter, Scale, Value};
+use crate::math;
 
 /// The value after `steps` key presses up (or down, if negative), within the
 /// parameter's range. Flags toggle; choices go round.
@@ -58,9 +59,9 @@ fn move_number(scale: Scale, x: f64, steps: i32, coarse: bool) -> f64 {
             smallest,
         } => {
             let moved = if coarse {
-                rounded(x * large.powi(steps), 12)
+                rounded(x * math::powi(large, steps), 12)
             } else {
-                rounded(x * fine.powi(steps), 3)
+                rounded(x * math::powi(fine, steps), 3)
             };
             // Rounding may make one step down of the smallest value slightly larger.
             if moved < smallest * (1.0 - 1e-9) {

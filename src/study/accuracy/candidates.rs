@@ -1,5 +1,6 @@
 //! The methods that fit a scene, each on a ladder of what it can be set to.
 
+use crate::math;
 use crate::scene::parameters::{Value, find};
 use crate::scene::{MethodName, Scene};
 use crate::study::vary;
@@ -80,10 +81,10 @@ fn ladder(scene: &Scene, rungs: i32) -> Vec<(&'static str, f64)> {
             .is_some()
     };
     if has("steps_per_contact") {
-        let steps = |rung| ("steps_per_contact", FIRST_STEPS * 2f64.powi(rung));
+        let steps = |rung| ("steps_per_contact", FIRST_STEPS * math::powi(2.0, rung));
         (0..rungs).map(steps).collect()
     } else if has("tolerance") {
-        let tolerance = |rung| ("tolerance", 10f64.powi(-3 - rung));
+        let tolerance = |rung| ("tolerance", math::powi(10.0, -3 - rung));
         (0..rungs).map(tolerance).collect()
     } else {
         Vec::new()

@@ -1,6 +1,7 @@
 //! A floor collision: one right answer, and every method's distance from it.
 
 use super::{AccuracyError, Candidate, Effort, Report, candidates};
+use crate::math;
 use crate::physics::Observation;
 use crate::scene::{MethodName, Scene, Start};
 use crate::study::fit::{median, slope};
@@ -306,7 +307,7 @@ fn orders(rows: &[Row]) -> Table {
         let order = |of: &dyn Fn(&Errors) -> Option<f64>| {
             let point = |(steps, errors): &(f64, Errors)| {
                 let error = of(errors).filter(|&e| e > 0.0)?;
-                Some((-steps.ln(), error.ln()))
+                Some((-math::ln(*steps), math::ln(error)))
             };
             slope(&rungs.iter().filter_map(point).collect::<Vec<_>>())
         };

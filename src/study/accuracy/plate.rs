@@ -4,6 +4,7 @@
 mod tables;
 
 use super::{AccuracyError, Candidate, Effort, Report, candidates};
+use crate::math;
 use crate::physics::Observation;
 use crate::scene::{MethodName, Scene};
 use crate::study::fit::slope;
@@ -253,7 +254,7 @@ fn distances(run: &Run, truth: &Run, n: usize) -> Vec<f64> {
 fn growth(distances: &[f64], window: f64, diameter: f64) -> Growth {
     let end = distances.iter().position(|&d| d > PARTED * diameter);
     let before = &distances[..end.unwrap_or(distances.len())];
-    let point = |(k, d): (usize, &f64)| (*d > 0.0).then(|| (k as f64 * window, d.ln()));
+    let point = |(k, d): (usize, &f64)| (*d > 0.0).then(|| (k as f64 * window, math::ln(*d)));
     let points: Vec<_> = before.iter().enumerate().filter_map(point).collect();
     Growth {
         // Less than half a period makes no trend.

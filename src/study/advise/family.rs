@@ -1,6 +1,7 @@
 //! A scene and its like with other contact times.
 
 use super::{AdviseError, Against, Kind, Question};
+use crate::math;
 use crate::scene::parameters::{Setting, Value, named};
 use crate::scene::preset::Preset;
 use crate::scene::{Law, MethodName, Scene, SceneError, Start};
@@ -66,8 +67,8 @@ impl Family {
             Some(Law::Power(power)) => {
                 let longer = contact_time / self.base_time;
                 let (beta, gamma) = (power.exponents.beta(), power.exponents.gamma());
-                let stiffness = power.stiffness * longer.powf(-2.0 - beta);
-                let damping = power.damping * longer.powf(-1.0 - gamma);
+                let stiffness = power.stiffness * math::powf(longer, -2.0 - beta);
+                let damping = power.damping * math::powf(longer, -1.0 - gamma);
                 vary(
                     &self.base,
                     None,
@@ -109,11 +110,11 @@ impl Family {
     pub fn ladder(&self, question: Question, limit: Option<f64>) -> Result<Vec<f64>, AdviseError> {
         let (from, to) = question.between.unwrap_or_else(|| self.range(limit));
         let per_decade = if question.quick { RUNGS.0 } else { RUNGS.1 };
-        let steps = ((to / from).log10() * per_decade).ceil().clamp(1.0, 1e3);
+        let steps = (math::log10(to / from) * per_decade).ceil().clamp(1.0, 1e3);
         let mut rung = 0.0;
         let mut ladder = Vec::new();
         while rung <= steps {
-            ladder.push(round(from * (to / from).powf(rung / steps)));
+            ladder.push(round(from * math::powf(to / from, rung / steps)));
             rung += 1.0;
         }
         if question.between.is_none() {

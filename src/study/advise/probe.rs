@@ -1,6 +1,7 @@
 //! A contact time that is looked at.
 
 use super::Kind;
+use crate::math;
 use crate::physics::{Engine, Observation, build};
 use crate::scene::Scene;
 use crate::study::means::{Mean, Means};
@@ -112,7 +113,7 @@ impl Observable {
         };
         Reading {
             value: (here.value - limit.value).abs() / scale,
-            error: here.error.hypot(limit.error) / scale,
+            error: math::hypot(here.error, limit.error) / scale,
         }
     }
 

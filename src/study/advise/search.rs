@@ -4,6 +4,7 @@
 use super::family::{Family, round};
 use super::probe::{ERRORS, Outcome, Probe, Verdict};
 use super::{AdviseError, Kind, Question};
+use crate::math;
 use crate::study::{Tell, sweep};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -175,7 +176,7 @@ impl<'a> Search<'a> {
         }
         let section = |k: usize| {
             let part = k as f64 / (SECTIONS + 1) as f64;
-            round(low * (high / low).powf(part))
+            round(low * math::powf(high / low, part))
         };
         let mut times: Vec<f64> = (1..=SECTIONS).map(section).collect();
         times.retain(|t| *t > low && *t < high);

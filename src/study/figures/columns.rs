@@ -3,6 +3,7 @@
 use super::bench::Bench;
 use super::runs::{preset, results};
 use super::{Claim, FigureError, Sheet};
+use crate::math;
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
 use crate::study::Results;
@@ -98,7 +99,9 @@ pub(super) fn fig2b(bench: &mut Bench) -> Result<Sheet, FigureError> {
     let loss = |restitution: f64| grid.over_n(restitution, |r| 1.0 - eps(r));
     let fitted = |restitution: f64, from: f64| {
         let long = loss(restitution).into_iter().filter(|(n, _)| *n >= from);
-        let logs: Vec<_> = long.map(|(n, loss)| (n.ln(), loss.ln())).collect();
+        let logs: Vec<_> = long
+            .map(|(n, loss)| (math::ln(n), math::ln(loss)))
+            .collect();
         slope(&logs).unwrap_or(f64::NAN)
     };
     let guide = "the paper draws the slope as a guide for the eye; the points come near it \
@@ -152,7 +155,7 @@ pub(super) fn fig2b(bench: &mut Bench) -> Result<Sheet, FigureError> {
     for (name, paper, at) in [("slope -0.5", -0.5, 0.6), ("slope -0.315", -0.315, 0.975)] {
         let line = loss(at);
         let (n, y) = line[line.len() - 1];
-        let points = vec![(10.0, y * (10.0_f64 / n).powf(paper)), (n, y)];
+        let points = vec![(10.0, y * math::powf(10.0 / n, paper)), (n, y)];
         series.push(Series::new(name, points).with(Look::Line));
     }
     sheet.plots.push(Plot {
@@ -213,7 +216,7 @@ pub(super) fn sentences(bench: &mut Bench) -> Result<Sheet, FigureError> {
         .iter()
         .zip(&runs)
         // E_r = (E_r/E_f) ε_eff² E_0, and E_0 goes with v₀².
-        .map(|(v, r)| (v.ln(), (share(r) * (eps(r) * v).powi(2)).ln()))
+        .map(|(v, r)| (math::ln(*v), math::ln(share(r) * math::powi(eps(r) * v, 2))))
         .collect();
     let power = slope(&energies).unwrap_or(f64::NAN);
     sheet

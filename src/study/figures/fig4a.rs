@@ -5,6 +5,7 @@ mod record;
 use super::bench::Bench;
 use super::runs::{crossing, preset, results};
 use super::{Claim, FigureError, Sheet};
+use crate::math;
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
 use crate::study::Results;
@@ -125,7 +126,7 @@ struct Mean {
 fn mean(values: &[f64]) -> Mean {
     let n = values.len() as f64;
     let value = values.iter().sum::<f64>() / n;
-    let squares: f64 = values.iter().map(|x| (x - value).powi(2)).sum();
+    let squares: f64 = values.iter().map(|x| math::powi(x - value, 2)).sum();
     let scatter = (squares / (n - 1.0)).sqrt();
     Mean {
         value,
@@ -175,7 +176,7 @@ fn jobs(in_decade: i32, seeds: u64) -> Vec<Job> {
     let whole = DECADES.start() * in_decade..=DECADES.end() * in_decade;
     for (v0, contact_time) in PAIRS {
         for k in whole.clone() {
-            let sigma = 10.0_f64.powf(f64::from(k) / f64::from(in_decade));
+            let sigma = math::powf(10.0, f64::from(k) / f64::from(in_decade));
             let s0 = sigma * v0 * contact_time;
             // To rounding.
             if s0 < 0.999 * SEPARATIONS.0 || s0 > 1.001 * SEPARATIONS.1 {

@@ -2,6 +2,7 @@
 
 use super::FigureError;
 use super::runs::{looks, results};
+use crate::math;
 use crate::scene::{
     Arrangement, Exponents, Facts, Floor, FloorContact, Law, Method, PowerLaw, Scene, Solver, Start,
 };
@@ -38,7 +39,7 @@ pub(super) fn law(
     };
     let depth = undamped.penetration(speed);
     PowerLaw {
-        damping: strength * speed / depth.powf(1.0 + gamma),
+        damping: strength * speed / math::powf(depth, 1.0 + gamma),
         ..undamped
     }
 }

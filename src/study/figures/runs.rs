@@ -1,6 +1,7 @@
 //! Single runs of scenes, without anybody who looks on.
 
 use super::FigureError;
+use crate::math;
 use crate::physics::Observation;
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Preset, Scene};
@@ -42,11 +43,11 @@ pub(super) fn looks(
 
 /// Numbers from `from` to `to` in even ratios, both ends included.
 pub(super) fn decades(from: f64, to: f64, count: u32) -> Vec<f64> {
-    let step = (to / from).ln() / f64::from(count.max(2) - 1);
+    let step = math::ln(to / from) / f64::from(count.max(2) - 1);
     (0..count)
         .map(|k| match k {
             k if k + 1 == count => to,
-            k => from * (f64::from(k) * step).exp(),
+            k => from * math::exp(f64::from(k) * step),
         })
         .collect()
 }
@@ -56,6 +57,6 @@ pub(super) fn crossing(curve: &[(f64, f64)], level: f64) -> f64 {
     let pair = curve.windows(2).find(|p| p[0].1 >= level && p[1].1 < level);
     pair.map_or(f64::NAN, |p| {
         let u = (level - p[0].1) / (p[1].1 - p[0].1);
-        (p[0].0.ln() + u * (p[1].0 / p[0].0).ln()).exp()
+        math::exp(math::ln(p[0].0) + u * math::ln(p[1].0 / p[0].0))
     })
 }

@@ -4,6 +4,7 @@ use super::bench::Bench;
 use super::pair::{Hit, hit, law};
 use super::runs::decades;
 use super::{Claim, FigureError, Sheet};
+use crate::math;
 use crate::scene::PowerLaw;
 use crate::study::fit::slope;
 use crate::study::plot::{Axis, Plot, Series};
@@ -134,7 +135,8 @@ fn exponents(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
             }),
         ] {
             let points = of_row(row, get);
-            let logs: Vec<_> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
+            let ln = |(x, y): &(f64, f64)| (math::ln(*x), math::ln(*y));
+            let logs: Vec<_> = points.iter().map(ln).collect();
             let found = slope(&logs).unwrap_or(f64::NAN);
             if symbol == "t_c" && (*beta, *gamma) == MISPRINTED.0 {
                 let what = format!("({name}): t_c over v0, as printed");

@@ -1,6 +1,7 @@
 //! Axes: what is plotted along them, on which scale, with which ticks.
 
 use super::Bounds;
+use crate::math;
 
 /// How numbers are laid out along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +51,7 @@ impl Axis {
     pub(super) fn place(&self, x: f64) -> Option<f64> {
         let place = match self.scale {
             Scale::Linear => x,
-            Scale::Log if x > 0.0 => x.log10(),
+            Scale::Log if x > 0.0 => math::log10(x),
             Scale::Log => return None,
         };
         // Beyond that differences of places overflow.
@@ -127,7 +128,7 @@ fn one_two_five(bounds: Bounds) -> Vec<Tick> {
     let mut decade = bounds.low.floor();
     while decade <= bounds.high {
         for digit in [1_u8, 2, 5] {
-            let place = decade + f64::from(digit).log10();
+            let place = decade + math::log10(f64::from(digit));
             if (bounds.low..=bounds.high).contains(&place) {
                 let label = power_label(digit, decade);
                 ticks.push(Tick { place, label });
@@ -140,7 +141,7 @@ fn one_two_five(bounds: Bounds) -> Vec<Tick> {
 
 /// The nearest 1, 2 or 5 times a power of ten that is not below `step`.
 fn round_step(step: f64) -> f64 {
-    let power = 10f64.powf(step.log10().floor());
+    let power = math::powf(10.0, math::log10(step).floor());
     let step = [1.0, 2.0, 5.0, 10.0]
         .into_iter()
         .map(|digit| digit * power)
@@ -158,7 +159,8 @@ fn linear_label(x: f64, step: f64) -> String {
             clippy::cast_sign_loss,
             reason = "0 to 15"
         )]
-        let digits = (size.log10().floor() - step.log10().floor()).clamp(0.0, 15.0) as usize;
+        let digits =
+            (math::log10(size).floor() - math::log10(step).floor()).clamp(0.0, 15.0) as usize;
         return format!("{x:.digits$e}");
     }
     #[expect(
@@ -166,7 +168,7 @@ fn linear_label(x: f64, step: f64) -> String {
         clippy::cast_sign_loss,
         reason = "0 to 15"
     )]
-    let places = (-step.log10().floor()).clamp(0.0, 15.0) as usize;
+    let places = (-math::log10(step).floor()).clamp(0.0, 15.0) as usize;
     // −0 is a sign that means nothing.
     format!("{:.places$}", x + 0.0)
 }
@@ -174,7 +176,7 @@ fn linear_label(x: f64, step: f64) -> String {
 /// `digit`·10^`exponent`: in decimals near 1.
 fn power_label(digit: u8, exponent: f64) -> String {
     if (-2.0..=3.0).contains(&exponent) {
-        let x = f64::from(digit) * 10f64.powf(exponent);
+        let x = f64::from(digit) * math::powf(10.0, exponent);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

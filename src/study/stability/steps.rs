@@ -1,6 +1,7 @@
 //! The largest stable step of the methods on a grid: found by bisection on a column
 //! that stays closed, and foretold from its spectrum.
 
+use crate::math;
 use crate::physics::{build, spectrum};
 use crate::scene::parameters::Value;
 use crate::scene::{Integrator, MethodName, Preset, Scene};
@@ -111,7 +112,7 @@ fn is_stable(scene: &Scene, method: MethodName, steps: f64) -> bool {
     let fall = scene.gravity.unwrap_or(0.0) * scene.contact_time().unwrap_or(0.0);
     for (k, rate) in state.rates.iter_mut().enumerate() {
         // All modes are in it.
-        *rate = DISTURBANCE * fall * (1.0 + (k as f64 * 1.7).sin());
+        *rate = DISTURBANCE * fall * (1.0 + math::sin(k as f64 * 1.7));
     }
     let size = |rates: &[f64]| rates.iter().fold(0.0, |most, w| w.abs().max(most));
     let before = size(&state.rates);

@@ -1,5 +1,6 @@
 //! A range of a parameter, as it is typed.
 
+use crate::math;
 use crate::scene::SceneError;
 use crate::scene::parameters::{self, Kind, Parameter, Value, named};
 use crate::scene::words::quote;
@@ -173,7 +174,7 @@ fn between(first: f64, last: f64, k: usize, count: usize, log: bool) -> f64 {
     }
     let part = k as f64 / (count - 1) as f64;
     let x = if log {
-        first * (last / first).powf(part)
+        first * math::powf(last / first, part)
     } else {
         first + (last - first) * part
     };

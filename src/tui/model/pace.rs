@@ -1,5 +1,6 @@
 //! How long a page is, and how fast simulated time goes.
 
+use crate::math;
 use crate::scene::{Floor, Scene, Start};
 
 /// A speed of the ladder 1, 2, 5, 10 … in simulated seconds in a second.
@@ -18,7 +19,7 @@ impl Speed {
     /// The speed of the ladder that is nearest to `factor`.
     pub fn nearest(factor: f64) -> Speed {
         let rungs = (Self::SLOWEST..=Self::FASTEST).map(Speed);
-        let distance = |speed: &Speed| (speed.factor() / factor).ln().abs();
+        let distance = |speed: &Speed| math::ln(speed.factor() / factor).abs();
         rungs
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .unwrap_or(Speed(0))
@@ -27,7 +28,7 @@ impl Speed {
     /// Simulated seconds in a second.
     pub fn factor(self) -> f64 {
         let mantissa = [1.0, 2.0, 5.0][self.0.rem_euclid(3) as usize % 3];
-        mantissa * 10f64.powi(self.0.div_euclid(3))
+        mantissa * math::powi(10.0, self.0.div_euclid(3))
     }
 
     /// So many rungs faster, or slower if negative.
@@ -53,7 +54,7 @@ pub fn speed_text(factor: f64) -> String {
 
 /// Two significant digits, thousands apart: `50 000`.
 fn grouped(x: f64) -> String {
-    let round = 10f64.powf((x.log10().floor() - 1.0).max(0.0));
+    let round = math::powf(10.0, (math::log10(x).floor() - 1.0).max(0.0));
     let digits = format!("{:.0}", (x / round).round() * round);
     let mut text = String::new();
     for (k, digit) in digits.chars().enumerate() {

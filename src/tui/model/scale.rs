@@ -1,5 +1,7 @@
 //! The vertical scale of the traces: round ticks that hold what is seen.
 
+use crate::math;
+
 /// Ticks that a scale should have about.
 const TICKS: f64 = 4.0;
 /// A page that needs less than this part of the scale gets a smaller one.
@@ -98,7 +100,7 @@ fn finite(x: f64) -> f64 {
 
 /// The next 1, 2 or 5 times a power of ten.
 fn round_up(x: f64) -> f64 {
-    let decade = 10f64.powf(x.log10().floor());
+    let decade = math::powf(10.0, math::log10(x).floor());
     [1.0, 2.0, 5.0]
         .into_iter()
         .map(|m| m * decade)

@@ -10,6 +10,7 @@ use super::rules;
 use super::text::{columns, fitted, line};
 use super::trace::clear;
 use crate::live::{Accuracy, Status};
+use crate::math;
 use crate::scene::{Method, Solver};
 use crate::tui::model::{Model, Notice};
 use crate::tui::numbers::{clock, scientific, short, with_unit};
@@ -189,7 +190,7 @@ fn draw(model: &Model, sides: &[usize], area: Rect, buffer: &mut Buffer) {
         let (style, size) = (model.theme.side(side), model.bench.scenes()[side].diameter);
         // No error at all runs along the lower end.
         let place =
-            |error: f64| (((error / size).log10() - BOTTOM) / (TOP - BOTTOM)).clamp(0.0, 1.0);
+            |error: f64| ((math::log10(error / size) - BOTTOM) / (TOP - BOTTOM)).clamp(0.0, 1.0);
         let mut last: Option<(i32, i32)> = None;
         for (at, sample) in model.page.visible(clear(area)) {
             let error = sample.rows.get(side).and_then(|row| row.as_ref()?.error);

@@ -9,6 +9,7 @@ use super::raster::Raster;
 use super::text::line;
 use super::trace::PLATE;
 use crate::live::Side;
+use crate::math;
 use crate::tui::model::Scale;
 use crate::tui::theme::Theme;
 
@@ -164,7 +165,7 @@ fn girth(k: i32, height: i32) -> f64 {
         (2 | 3, _) => 0.4,
         _ => {
             let y = (2.0 * f64::from(k) + 1.0) / f64::from(height) - 1.0;
-            (1.0 - 0.97 * y * y).max(0.0).powf(0.8)
+            math::powf((1.0 - 0.97 * y * y).max(0.0), 0.8)
         }
     }
 }

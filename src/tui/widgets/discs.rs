@@ -11,6 +11,7 @@ use super::raster::Raster;
 use super::text::line;
 use super::trace::{PLATE, announce};
 use crate::live::{Side, Status};
+use crate::math;
 use crate::physics::Discs;
 use crate::scene::lattice::Sites;
 use crate::tui::layout::{ROW, SHARE};
@@ -210,7 +211,7 @@ fn dots(diameter: i32, filled: bool) -> Vec<(i32, i32)> {
         // Twice the distances from the middle; a little less than the diameter, so that
         // discs that touch can be told apart.
         let (dx, dy) = (2 * x + 1 - diameter, 2 * y + 1 - diameter);
-        f64::from(dx * dx + dy * dy) <= (f64::from(diameter) - 0.3).powi(2)
+        f64::from(dx * dx + dy * dy) <= math::powi(f64::from(diameter) - 0.3, 2)
     };
     let inner = |x: i32, y: i32| {
         [(1, 0), (-1, 0), (0, 1), (0, -1)]

@@ -9,6 +9,7 @@ use super::rules;
 use super::text::line;
 use super::trace::clear;
 use crate::live::Row;
+use crate::math;
 use crate::physics::Energy;
 use crate::tui::model::Model;
 use crate::tui::numbers;
@@ -63,7 +64,7 @@ impl Quantity {
             .filter(|e| e.is_finite())
             .fold(0.0, f64::max);
         if largest > 0.0 {
-            largest.log10().ceil()
+            math::log10(largest).ceil()
         } else {
             0.0
         }
@@ -119,7 +120,7 @@ fn draw(model: &Model, quantity: Quantity, top: f64, area: Rect, buffer: &mut Bu
     // What is too small for the axis, 0 included, runs along its lower end.
     let place = |row: &Row| {
         let value = quantity.of(row.kinetic, row.relative);
-        ((value.log10() - top + DECADES) / DECADES).clamp(0.0, 1.0)
+        ((math::log10(value) - top + DECADES) / DECADES).clamp(0.0, 1.0)
     };
     for index in (0..model.bench.scenes().len()).rev() {
         let style = model.theme.side(index);
