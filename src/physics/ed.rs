@@ -24,7 +24,6 @@ use super::observation::Observation;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
-use crate::math;
 use crate::scene::{CollisionRule, Floor, Method, Scene};
 use closing::Closing;
 use pair::{Pair, pairs};
@@ -256,8 +255,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Kinetic and gravitational energy per mass of what moves with the floor.
     fn floor_energy(&self, t: f64) -> f64 {
-        let plate = self.ground.plate(t);
-        0.5 * math::powi(plate.velocity(), 2) + self.gravity * plate.position()
+        let (z, v) = self.ground.plate(t).motion();
+        0.5 * v * v + self.gravity * z
     }
 
     fn stack_mass(&self) -> f64 {

@@ -28,7 +28,7 @@ pub(crate) struct Moment<'a> {
 impl Moment<'_> {
     /// Stored energies; the ledger's entries are left at 0.
     pub fn energy(&self) -> Energy {
-        let (mut v, mut z) = (self.plate.velocity(), self.plate.position());
+        let (mut z, mut v) = self.plate.motion();
         let (mut mass, mut momentum, mut kinetic, mut height) = (0.0, 0.0, 0.0, 0.0);
         for ((g, w), m) in self.gaps.iter().zip(self.rates).zip(self.masses) {
             v += w;
@@ -95,7 +95,7 @@ impl Moment<'_> {
     /// Fills in an observation. The books are looked at often, and not copied for it:
     /// only the ledger is of this moment.
     pub fn observe(&self, books: &Books, ledger: Ledger, into: &mut Observation) {
-        let (mut z, mut v) = (self.plate.position(), self.plate.velocity());
+        let (mut z, mut v) = self.plate.motion();
         into.time = self.time;
         into.floor = z;
         into.floor_velocity = v;

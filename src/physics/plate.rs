@@ -66,6 +66,13 @@ impl Plate {
         self.amplitude * self.omega * math::cos(self.phase)
     }
 
+    /// Both of these at once, which costs little more than one.
+    pub fn motion(&self) -> (f64, f64) {
+        let (sin, cos) = math::sin_cos(self.phase);
+        let position = self.centre + self.amplitude * sin;
+        (position, self.amplitude * self.omega * cos)
+    }
+
     /// Acceleration z̈₀, m/s².
     pub fn acceleration(&self) -> f64 {
         -self.amplitude * self.omega * self.omega * math::sin(self.phase)

@@ -26,16 +26,16 @@ pub(crate) enum Depth {
     /// As far as there are digits for it.
     #[default]
     Full,
-    /// Half as many powers of two: what this changes of the results nobody can know.
+    /// Half as far: what this changes of the results nobody can know.
     Half,
 }
 
 impl Depth {
-    /// The powers of two to go down by, of those that full depth has.
-    pub fn of(self, powers: i32) -> i32 {
+    /// How far to go, of what full depth is: powers of two, or collisions.
+    pub fn of(self, full: i32) -> i32 {
         match self {
-            Self::Full => powers,
-            Self::Half => powers / 2,
+            Self::Full => full,
+            Self::Half => full / 2,
         }
     }
 }

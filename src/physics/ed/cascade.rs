@@ -8,7 +8,7 @@ use crate::physics::moment::translation;
 
 /// Collisions of a cascade after which it is left for a pause, so that whoever waits for
 /// the engine is not made to wait for the end of a long one.
-const PAUSE: u32 = 20_000;
+const PAUSE: i32 = 20_000;
 
 impl<G: Ground, R: Rule> Ed<G, R> {
     /// Gap `i` closes at time `t`: its collision, those of the beads in contact with
@@ -89,8 +89,9 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             self.approach.write(j, self.gaps[j].w);
         }
         self.approach.play_again(low, high);
+        let most = self.closing.cascade(&self.pairs[low..=high]);
         let mut done = false;
-        for _ in 0..PAUSE {
+        for _ in 0..most.unwrap_or(PAUSE) {
             let (j, w) = self.approach.first();
             done = w >= -self.closing.speed;
             if done {
@@ -107,7 +108,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             self.approach.write(j, f64::INFINITY);
         }
         self.approach.play_again(low, high);
-        done
+        done || most.is_some()
     }
 
     /// One collision of the beads at gap `j`, whose rates are of time `t`.
@@ -131,8 +132,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.collided[j] = self.cascades;
     }
 
-    /// Touching beads that still approach, so slowly that it counts as nothing, go on
-    /// together, with their momentum: their collapse is closed.
+    /// Touching beads that still approach when their cascade is closed go on together, with
+    /// their momentum.
     fn stick(&mut self, low: usize, high: usize, t: f64) {
         if self.gaps[low..=high].iter().all(|gap| gap.w >= 0.0) {
             return;

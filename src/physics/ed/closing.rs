@@ -17,7 +17,9 @@
 //!   begins near π there (Bernu & Mazighi 1990: ε < tan²(π/4 (1 − 1/N))), and the longest
 //!   finite sequence known, of 2·10⁷ collisions, has 3.7. Nothing is left of the energy at
 //!   whatever depth it is closed, so that depth decides about the cost only.
-//! - Columns longer than [`LONG`], whose cost would grow as N³.
+//! - Columns longer than [`LONG`], whose cost would grow as N³. Their cascades of touching
+//!   beads with Σ(1 − ε) ≥ [`ABSORBING`], too, after [`Closing::cascade`] collisions: what a
+//!   wave carries through them and back has fallen by e^{−Σ(1−ε)}, its energy by 10⁻¹².
 //! - Beads on the floor that gravity presses together: [`Closing::rest_time`].
 
 use super::Pair;
@@ -32,6 +34,8 @@ const DEEP: i32 = 100;
 const WHOLE: f64 = 5.0;
 /// The longest column that is followed to full depth.
 const LONG: usize = 64;
+/// Σ(1 − ε) of touching beads through which nothing comes back.
+const ABSORBING: f64 = 14.0;
 /// Powers of two between √(d/g) and what is left of a bouncing sequence at rest.
 const REST: i32 = 22;
 /// Power of two near which gaps without gravity start.
@@ -45,6 +49,9 @@ pub(super) struct Closing {
     /// than this, s: 2·10⁻⁷ of √(d/g). Meanwhile it
     /// cannot rise higher than 10⁻¹⁴ d.
     pub rest_time: f64,
+    /// Whether long cascades are closed before they are slow.
+    long: bool,
+    depth: Depth,
 }
 
 impl Closing {
@@ -60,7 +67,19 @@ impl Closing {
         Self {
             speed: fall.max(launched) * below(depth.of(powers(scene, pairs))),
             rest_time: time * below(depth.of(REST)),
+            long: scene.n > LONG,
+            depth,
         }
+    }
+
+    /// Collisions after which a cascade of these touching pairs is closed. Waves cross k
+    /// pairs in k collisions; these are some twenty waves.
+    pub fn cascade(&self, touching: &[Pair]) -> Option<i32> {
+        let absorbs = self.long && absorbed(touching) >= ABSORBING;
+        absorbs.then(|| {
+            let k = i32::try_from(touching.len()).unwrap_or(i32::MAX);
+            self.depth.of(k.saturating_mul(20).saturating_add(10_000))
+        })
     }
 
     /// Units of length in a metre, a power of two: without gravity such that the widest
@@ -77,14 +96,18 @@ impl Closing {
 
 /// Powers of two to which a pair's speed is followed down.
 fn powers(scene: &Scene, pairs: &[Pair]) -> i32 {
-    let absorbed: f64 = pairs.iter().map(|pair| 1.0 - pair.restitution).sum();
-    let whole = scene.width == 0.0 && absorbed >= WHOLE;
+    let whole = scene.width == 0.0 && absorbed(pairs) >= WHOLE;
     if whole || scene.n > LONG {
         // Short columns cost little; of long ones what waves between ends can still do.
         DEEP.min(12 + 1000 / i32::try_from(scene.n).unwrap_or(i32::MAX))
     } else {
         DEEP
     }
+}
+
+/// Σ(1 − ε).
+fn absorbed(pairs: &[Pair]) -> f64 {
+    pairs.iter().map(|pair| 1.0 - pair.restitution).sum()
 }
 
 fn below(powers: i32) -> f64 {

@@ -117,8 +117,8 @@ impl Landing {
             return (lost, 0.0);
         }
         let (plate, then) = (self.plate, self.plate.later(tau));
-        let (from, to) = (plate.velocity(), then.velocity());
-        let lifted = then.position() - plate.position();
+        let ((low, from), (high, to)) = (plate.motion(), then.motion());
+        let lifted = high - low;
         let swung = w * to - self.w * from - shared;
         let work = swung + self.gravity * lifted + 0.5 * (to - from) * (to + from);
         (lost, m * work)
