@@ -25,19 +25,21 @@
 //! that spring. A linear dashpot on Hertz's spring (γ = 0) is not: the last contacts creep,
 //! some never open, and σ falls faster.
 
+mod theory;
+
 use super::bench::Bench;
 use super::landings::{Landings, dense_share};
 use super::runs::{largest, looks, preset, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::parameters::Value;
-use crate::scene::{MethodName, Scene, angular};
+use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
 use crate::study::fit::{median, slope};
 use crate::study::means::{Mean, Means};
 use crate::study::plot::{Axis, Look, Plot, Series};
 use crate::study::table::{Column, Table, significant};
 use crate::study::vary;
-use std::f64::consts::PI;
+use theory::density;
 
 /// The law of each part, and its exponent of t_c in σ after a rest.
 const LAWS: [(&str, &str); 3] = [
@@ -129,49 +131,6 @@ fn run(scene: &Scene, periods: usize) -> Result<Found, FigureError> {
         share: means.share(means.all()),
         landings,
     })
-}
-
-/// Flight of a totally inelastic body that the plate throws, s, and the speed at which it
-/// meets the plate again, m/s.
-fn flight(scene: &Scene) -> Option<(f64, f64)> {
-    let (alpha, gravity, period) = (scene.alpha()?, scene.gravity?, scene.period()?);
-    let omega = angular(1.0 / period);
-    let amplitude = alpha * gravity / (omega * omega);
-    // It takes off where the plate falls away with g, and meets it again once.
-    let phase = (1.0 / alpha).asin();
-    let rise = |t: f64| {
-        let plate = amplitude * ((phase + omega * t).sin() - phase.sin());
-        amplitude * omega * phase.cos() * t - 0.5 * gravity * t * t - plate
-    };
-    // Long past the start, where the height is of third order, and before the landing.
-    let (mut before, mut after) = (0.25 * period, 2.0 * alpha * period);
-    while after - before > f64::EPSILON * after {
-        let middle = 0.5 * (before + after);
-        if middle <= before || middle >= after {
-            break;
-        }
-        if rise(middle) > 0.0 {
-            before = middle;
-        } else {
-            after = middle;
-        }
-    }
-    let plate = amplitude * omega * (phase + omega * before).cos();
-    let body = amplitude * omega * phase.cos() - gravity * before;
-    Some((before, plate - body))
-}
-
-/// σ of the landing after a rest, over t_c, 1/s, of linear contacts.
-fn density(scene: &Scene) -> f64 {
-    let density = || {
-        let (alpha, gravity, period) = (scene.alpha()?, scene.gravity?, scene.period()?);
-        let (flight, speed) = flight(scene)?;
-        let rate = gravity * angular(1.0 / period) * (alpha * alpha - 1.0).sqrt();
-        // (ω_0 t_c)².
-        let angle = PI * PI + scene.restitution.ln().powi(2);
-        Some(scene.n as f64 * rate * flight / (angle * speed))
-    };
-    density().unwrap_or(f64::NAN)
 }
 
 pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
@@ -405,19 +364,5 @@ impl Study {
             ]);
         }
         Ok(data)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_inelastic_body_flies_as_its_closed_form_says() {
-        // α = 2: 0.74148 periods, the root of a transcendental equation, to five digits.
-        let scene = preset("fig6b", None, &[]).expect("a preset");
-        let period = scene.period().expect("a plate");
-        let (flight, _) = flight(&scene).expect("α > 1");
-        assert!((flight / period - 0.741_48).abs() < 5e-6, "{flight}");
     }
 }
