@@ -88,6 +88,7 @@ const FIGURE_EXAMPLES: &str = "\
 Examples:
   beadlab figure 2a                      a figure: its plot, and how near it comes
   beadlab figure table1 --format csv     every number behind it
+  beadlab figure plateau                 Fig. 5(b) with ever shorter contacts
   beadlab figure all --out report        the whole paper, as text, CSV, JSON and SVG
   beadlab figure all --quick             the same with fewer points and shorter runs";
 

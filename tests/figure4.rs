@@ -51,16 +51,20 @@ fn the_curve_falls_once_from_limit_to_limit() {
         let scatter = if pair[0].0 < 30.0 { 0.03 } else { 0.08 };
         assert!(pair[1].1 < pair[0].1 + scatter, "{pair:?}");
     }
+    let (mut touching, mut falling) = (0, 0);
     for (sigma, eps) in curve {
         if sigma < 2e-3 {
+            touching += 1;
             // At |v_0| t_c = d/10 overlaps of some 0.03 d bend the contacts: to that part
             // of the loss.
             assert!((eps - 0.9684).abs() < 0.003, "{sigma}: {eps}");
         }
         if sigma > 0.3 && sigma < 1.1 {
+            falling += 1;
             assert!(eps > 0.45 && eps < 0.75, "{sigma}: {eps}");
         }
     }
+    assert!(touching > 0 && falling > 1);
 }
 
 #[test]
@@ -92,9 +96,15 @@ fn at_large_sigma_height_alone_does_not_decide() {
 
 #[test]
 fn the_fall_is_wider_in_a_plane() {
-    for what in ["2D: sigma at 10 %", "2D: sigma at 90 %", "its width"] {
-        let claim = claim(&A, what);
-        assert!(claim.within, "{claim:?}");
+    // Known from all pairs and three seeds: 0.10, 2.4 and 3.0; half as many σ and one seed
+    // here, whose points scatter by 0.01 where the curve falls by 0.06.
+    for (what, known) in [
+        ("2D: sigma at 10 %", 0.10),
+        ("2D: sigma at 90 %", 2.4),
+        ("its width", 3.0),
+    ] {
+        let here = claim(&A, what).here;
+        assert!((here / known - 1.0).abs() < 0.3, "{what}: {here}");
     }
     // Steps half as long move means over seeds by less than seeds scatter.
     assert!(claim(&A, "t_c/50").within);

@@ -113,13 +113,16 @@ fn one_curve_over_sigma() {
     // Without gravity the linear column has no other scale: only rounding is left.
     assert!(claim(&tables, "even starts").0 < 1e-9);
     assert_eq!(claim(&tables, "eps_eff of ED").1, "yes");
-    for row in rows(&tables, "fig2a") {
-        let eps = number(row, "eps_eff");
-        if number(row, "sigma") < 1e-5 {
-            // Fig. 1(a)'s limit, to the order of σ.
-            assert!((eps - 0.966_687).abs() < 1e-4, "{row}");
-        }
+    let all = rows(&tables, "fig2a").iter();
+    let touching: Vec<_> = all.filter(|row| number(row, "sigma") < 1e-5).collect();
+    assert!(touching.len() > 10, "{}", touching.len());
+    for row in touching {
+        // Fig. 1(a)'s limit, to the order of σ.
+        assert!((number(row, "eps_eff") - 0.966_687).abs() < 1e-4, "{row}");
     }
+    // The fall from that to the hard spheres' 0.3415, at σ of launched columns.
+    assert!((claim(&tables, "sigma at 10 %").0 - 0.15).abs() < 0.01);
+    assert!((claim(&tables, "sigma at 90 %").0 - 1.08).abs() < 0.05);
 }
 
 #[test]
@@ -132,7 +135,22 @@ fn slopes_and_sentences_of_columns_without_gaps() {
         // Guides for the eye in the paper, towards which the points tend.
         assert!((claim(&tables, what).0 - slope).abs() < 0.03);
     }
+    // Far longer columns lose what waves lose: extrapolated from lengths whose corrections
+    // of the order N^(-1/2) are 5 to 15 %, and taken out but for their square.
+    for what in ["eps 0.6: loss/limit", "eps 0.9: loss/limit"] {
+        assert!((claim(&tables, what).0 - 1.0).abs() < 0.01, "{what}");
+    }
+    // An independent reference in quadruple precision has 0.955 of the limit for 1000 beads
+    // at ε = 0.9; the limit by hand: √(2√2 · 0.033518/(1000π)), 0.033518 being μ/ω_0.
+    let column = ["fig1a", "--method", "exact", "--set", "n=1000"];
+    let lost = 1.0 - number(&json(&column), "eps_eff");
+    let part = lost / (8.0_f64.sqrt() * 0.033_518 / (1000.0 * std::f64::consts::PI)).sqrt();
+    assert!((part - 0.955).abs() < 5e-4, "{part}");
+    // Weakly damped columns pass through the paper's -0.315 and go on.
+    assert_eq!(claim(&tables, "slope, eps 0.975, N 100 to 300").1, "NO");
     let tables = self::tables("sec4a");
+    // Waves go up and down 300 beads in 2N√2/ω_0, and the ends add less than a contact time.
+    assert!((claim(&tables, "t_k/(N t_c) of waves").0 - 0.8998).abs() < 1.0 / 300.0);
     // t_k is N t_c but for the column's ends; E_r goes with v² but for rounding.
     assert!((claim(&tables, "t_k/(N t_c), N = 10,").0 - 1.0).abs() < 0.1);
     assert!((claim(&tables, "power of v0 in E_r").0 - 2.0).abs() < 1e-9);
@@ -166,7 +184,7 @@ fn hard_beads_stay_closed_on_a_plate_and_soft_ones_part() {
     assert_eq!(claim(&hard, "widest opening").1, "yes");
     // The closed form of one inelastic body at α = 2, seen at 200 looks a period.
     assert!((claim(&hard, "apex").0 - 1.25).abs() < 1e-3);
-    assert!(claim(&tables("6b"), "widest opening").0 > 1.0);
+    assert_eq!(claim(&tables("6b"), "widest opening").1, "yes");
 }
 
 #[test]
@@ -190,8 +208,46 @@ fn condensed_and_expanded_states_alternate() {
         assert!(ratios.len() >= 10, "{}", ratios.len());
         ratios.iter().filter(|ratio| **ratio > 1.0).count() as f64 / ratios.len() as f64
     };
-    assert!(rises(true) > 0.7 && rises(false) < 0.5);
-    assert!(claim(&tables, "time with E_r/E < 1e-3").0 > 0.1);
+    assert!(rises(true) > 0.7 && (0.1..0.5).contains(&rises(false)));
+    // A third of the time; a median of 3 periods from dense to dense holds some 16 of them.
+    let condensed = claim(&tables, "time with E_r/E < 1e-3").0;
+    assert!((0.15..0.5).contains(&condensed), "{condensed}");
+    // What shuffled landings do not do: a test beside the claims shuffles them.
+    for what in ["dense again 4 to 11", "dense again whole periods"] {
+        assert_eq!(claim(&tables, what).1, "yes", "{what}");
+    }
+}
+
+#[test]
+fn shorter_contacts_make_denser_landings_and_no_cure() {
+    let tables = tables("plateau");
+    // Hard spheres have 0; soft ones keep, at 7e-8 s and at 7e-5 s, what they have at 7e-6 s.
+    for what in ["Hooke: E_r/E", "Hertz: E_r/E", "H.-K.-Kono: E_r/E"] {
+        let (share, within) = claim(&tables, what);
+        assert!(
+            (0.05..0.3).contains(&share) && within == "NO",
+            "{what}: {share}"
+        );
+    }
+    assert_eq!(claim(&tables, "the same less at").1, "yes");
+    assert_eq!(claim(&tables, "ED: E_r/E"), (0.0, "yes".to_owned()));
+    // The rate at which contacts open, and the inelastic body's flight, in closed form:
+    // right to the order of t_c over the period, 7e-7 s over 50 ms.
+    assert!(claim(&tables, "Hooke: first sigma/theory").0 < 1e-4);
+    // σ goes as t_c^((2-β)/(2+3β)), to what the dashpot changes.
+    assert!((claim(&tables, "Hooke: power").0 - 1.0).abs() < 1e-4);
+    assert!((claim(&tables, "H.-K.-Kono: power").0 - 3.0 / 7.0).abs() < 5e-3);
+    // Contacts that creep: more than 3/7.
+    let creeping = claim(&tables, "Hertz: power").0;
+    assert!((0.45..1.0).contains(&creeping), "{creeping}");
+    // By hand: σ/t_c = N gω√(α² − 1) T/((π² + ln²ε) v) with T = 0.7415 periods and
+    // v = 0.298 m/s is 261 1/s, at α = 1.996.
+    let first = |row: &&Value| row["law"] == "hooke" && row["contact_time"] == 7e-9;
+    let row = rows(&tables, "plateau").iter().find(first).expect("a row");
+    assert!(
+        (number(row, "first_sigma") / 7e-9 - 261.0).abs() < 0.5,
+        "{row}"
+    );
 }
 
 #[test]
@@ -205,8 +261,9 @@ fn a_closed_orbit_of_hard_spheres_is_that_of_very_stiff_ones() {
     let soft = json(&[&stiff[..], &common].concat());
     let (hard, soft) = (number(&hard, "h_cm_mean"), number(&soft, "h_cm_mean"));
     assert!((soft / hard - 1.0).abs() < 1e-4, "{soft} {hard}");
-    // One flight of 13 periods as a parabola: a fifth of what loose columns reach.
-    assert!(hard < 0.5, "{hard}");
+    // Flights of 13 periods as parabolas, gT²/12 = 0.345 m in the mean, of which 2.8 are
+    // seen: a fifth of what loose columns reach.
+    assert!((hard - 0.345).abs() < 0.05, "{hard}");
 }
 
 #[test]

@@ -105,8 +105,7 @@ fn a_slow_lattice_that_touches_ends_when_it_is_over() {
         .concat(),
     );
     let object: serde_json::Value = serde_json::from_str(&text).expect("an object");
-    assert!(
-        object["eps_eff"].is_number() && object["steps"].as_f64() < Some(1e5),
-        "{text}"
-    );
+    assert!(object["eps_eff"].is_number(), "{text}");
+    let steps = object["steps"].as_f64().expect("steps");
+    assert!((100.0..1e5).contains(&steps), "{text}");
 }

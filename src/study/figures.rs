@@ -1,4 +1,5 @@
-//! The paper's figures, tables and sentences, computed anew and set beside what it says.
+//! The paper's figures, tables and sentences, computed anew and set beside what it says,
+//! and where they lead beyond it.
 //!
 //! Every figure gives claims (what the paper says, what comes out here, whether that is
 //! within what is allowed), plots, and the numbers behind them.
@@ -12,7 +13,10 @@ mod fig3;
 mod fig4a;
 mod fig4b;
 mod fig7;
+mod landings;
+mod limits;
 mod pair;
+mod plateau;
 mod runs;
 mod shaken;
 mod table1;
@@ -159,6 +163,11 @@ static FIGURES: &[Figure] = &[
         name: "5b",
         title: "Fig. 5(b): MD with t_c = 0.7e-5 s",
         make: |bench| shaken::sheet("fig5b", bench),
+    },
+    Figure {
+        name: "plateau",
+        title: "Fig. 5(b) with ever shorter contacts: E_r/E tends to a constant",
+        make: plateau::sheet,
     },
     Figure {
         name: "6a",

@@ -1,9 +1,9 @@
-//! What the paper says, set beside what comes out.
+//! What the paper says, or theory gives, set beside what comes out.
 
 use super::{Figure, Sheet};
 use crate::study::table::{Cell, Column, Digits, Table};
 
-/// A number of the paper, or a sentence with a number in it.
+/// A number of the paper or of theory, or a sentence with a number in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Claim {
     /// What it is about; at most 32 characters.
@@ -67,6 +67,30 @@ impl Claim {
             within: here >= least,
             reason: None,
         }
+    }
+
+    /// A number that must lie between two, as the paper says in its words.
+    pub fn between(
+        what: impl Into<String>,
+        paper: impl Into<String>,
+        here: f64,
+        (low, high): (f64, f64),
+    ) -> Self {
+        Self {
+            what: what.into(),
+            paper: paper.into(),
+            here,
+            allowed: format!("{} to {}", printed(low), printed(high)),
+            within: (low..=high).contains(&here),
+            reason: None,
+        }
+    }
+
+    /// The same, if the number it must be is no word of the paper but what theory gives.
+    #[must_use]
+    pub fn by_theory(mut self) -> Self {
+        self.paper.insert_str(0, "theory: ");
+        self
     }
 
     /// The same with the reason why it is not within.
@@ -142,7 +166,7 @@ pub fn summary(sheets: &[(&Figure, Sheet)]) -> Table {
     let mut table = Table::new(
         "summary",
         format!(
-            "Summary: {within} of {} statements come out as the paper has them",
+            "Summary: {within} of {} statements come out as the paper, or theory, has them",
             all().count()
         ),
         columns("figure", ""),
@@ -154,4 +178,27 @@ pub fn summary(sheets: &[(&Figure, Sheet)]) -> Table {
     }
     table.notes = all().filter_map(Claim::excuse).collect();
     table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_a_number_is_within_nothing() {
+        let claims = |x: f64| {
+            [
+                Claim::near("", 1.0, x, 0.5),
+                Claim::off("", 1.0, x, 0.5),
+                Claim::most("", "", x, 2.0),
+                Claim::least("", "", x, 0.5),
+                Claim::between("", "", x, (0.5, 2.0)),
+            ]
+        };
+        assert!(claims(1.0).iter().all(|claim| claim.within));
+        assert!(claims(f64::NAN).iter().all(|claim| !claim.within));
+        let [near, off, most, least, between] = claims(3.0).map(|claim| claim.within);
+        assert!(!near && !off && !most && least && !between);
+        assert!(!claims(0.1)[4].within);
+    }
 }

@@ -1,7 +1,8 @@
 //! Figs. 2(b) and (c) and the sentences of Sec. IV A: columns without gaps.
 
 use super::bench::Bench;
-use super::runs::{preset, results};
+use super::limits;
+use super::runs::{largest, preset, results, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
 use crate::scene::parameters::Value;
@@ -20,7 +21,8 @@ const SPEED: f64 = 0.2;
 const CAPTION_SPEED: f64 = 0.05;
 const CONTACT_TIME: f64 = 0.2e-4;
 
-fn scene(n: u64, restitution: f64, speed: f64) -> Result<Scene, FigureError> {
+/// Its scene.
+pub(super) fn scene(n: u64, restitution: f64, speed: f64) -> Result<Scene, FigureError> {
     let values = [
         ("n", Value::Whole(n)),
         ("restitution", Value::Number(restitution)),
@@ -30,11 +32,13 @@ fn scene(n: u64, restitution: f64, speed: f64) -> Result<Scene, FigureError> {
     preset("fig1a", Some(MethodName::Exact), &values)
 }
 
-fn run(n: u64, restitution: f64, speed: f64) -> Result<Results, FigureError> {
+/// A column without gaps that meets the floor.
+pub(super) fn run(n: u64, restitution: f64, speed: f64) -> Result<Results, FigureError> {
     results(&scene(n, restitution, speed)?)
 }
 
-fn eps(results: &Results) -> f64 {
+/// ε_eff of a run.
+pub(super) fn eps(results: &Results) -> f64 {
     results.eps_eff.unwrap_or(f64::NAN)
 }
 
@@ -166,6 +170,7 @@ pub(super) fn fig2b(bench: &mut Bench) -> Result<Sheet, FigureError> {
         series,
     });
     sheet.data.push(grid.table("fig2b")?);
+    limits::losses(bench, SPEED, &mut sheet)?;
     Ok(sheet)
 }
 
@@ -210,6 +215,7 @@ pub(super) fn sentences(bench: &mut Bench) -> Result<Sheet, FigureError> {
             0.1,
         ));
     }
+    limits::times(bench, SPEED, CONTACT_TIME, &mut sheet)?;
     let speeds = [0.01, 0.1, 1.0, 10.0];
     let runs = bench.each(&speeds, |&speed| run(10, 0.9, speed))?;
     let energies: Vec<_> = speeds
@@ -258,12 +264,9 @@ fn weak_damping(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError>
     let (x, y) = points
         .iter()
         .fold((0.0, 0.0), |(x, y), p| (x + p.0 / count, y + p.1 / count));
-    let bend = points
-        .iter()
-        .map(|p| (p.1 - y - rise * (p.0 - x)).abs())
-        .fold(0.0_f64, f64::max);
+    let bend = largest(points.iter().map(|p| (p.1 - y - rise * (p.0 - x)).abs()));
     let ratios = || points.iter().map(|p| p.1 / p.0);
-    let spread = ratios().fold(0.0, f64::max) / ratios().fold(f64::INFINITY, f64::min) - 1.0;
+    let spread = largest(ratios()) / smallest(ratios()) - 1.0;
     sheet.claims.extend([
         Claim::most(
             "eps > 0.9: off a straight line",

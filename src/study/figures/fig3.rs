@@ -1,7 +1,7 @@
 //! Fig. 3: ε_eff over N for three laws of contact.
 
 use super::bench::Bench;
-use super::runs::{preset, results};
+use super::runs::{largest, preset, results, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
@@ -83,12 +83,9 @@ fn eps(results: &Results) -> f64 {
 fn judge(soft: [Vec<(f64, f64)>; 3], hard: &[(f64, f64)], sheet: &mut Sheet) {
     let spread = |curve: &[(f64, f64)]| {
         let values = || curve.iter().map(|p| p.1);
-        values().fold(0.0_f64, f64::max) - values().fold(f64::INFINITY, f64::min)
+        largest(values()) - smallest(values())
     };
-    let rise = soft[0]
-        .windows(2)
-        .map(|p| p[1].1 - p[0].1)
-        .fold(f64::INFINITY, f64::min);
+    let rise = smallest(soft[0].windows(2).map(|p| p[1].1 - p[0].1));
     sheet.claims.push(Claim::least(
         "Hooke: least rise with N",
         "increases",

@@ -1,7 +1,7 @@
 //! Fig. 4(b): 1 − ε_eff over the height of a lattice without gaps, columns beside it.
 
 use super::bench::Bench;
-use super::runs::{preset, results};
+use super::runs::{largest, preset, results};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
@@ -83,7 +83,7 @@ pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
     let mut sheet = Sheet::default();
     for restitution in RESTITUTIONS {
         let mine = || rows.iter().filter(|row| row.restitution == restitution);
-        let most = |get: fn(&Row) -> f64| mine().map(get).fold(0.0, f64::max);
+        let most = |get: fn(&Row) -> f64| largest(mine().map(get));
         let name = |what| format!("eps {restitution}: {what}");
         sheet.claims.extend([
             Claim::most(name("most |2D - 1D|"), "similar", most(Row::off), 0.02),

@@ -2,7 +2,7 @@
 
 use super::bench::Bench;
 use super::pair::{Hit, hit, law};
-use super::runs::decades;
+use super::runs::{decades, largest};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
 use crate::scene::PowerLaw;
@@ -102,12 +102,12 @@ fn exponents(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
         ),
         ("seed".to_owned(), "none, nothing is random".to_owned()),
     ];
-    let (mut worst_depth, mut worst_time) = (0.0_f64, 0.0_f64);
+    let (mut depths, mut times) = (Vec::new(), Vec::new());
     for (&(row, speed), found) in jobs.iter().zip(&hits) {
         let law = weak(ROWS[row].1);
         let (depth, time) = (law.penetration(speed), law.contact_time(speed));
-        worst_depth = worst_depth.max((found.depth / depth - 1.0).abs());
-        worst_time = worst_time.max((found.contact_time / time - 1.0).abs());
+        depths.push((found.depth / depth - 1.0).abs());
+        times.push((found.contact_time / time - 1.0).abs());
         let (beta, gamma) = ROWS[row].1;
         data.push([
             beta.into(),
@@ -154,13 +154,13 @@ fn exponents(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
     sheet.claims.push(Claim::most(
         "x_max off (A1), weak damping",
         "0.001",
-        worst_depth,
+        largest(depths),
         NEAR,
     ));
     sheet.claims.push(Claim::most(
         "t_c off (A2), weak damping",
         "0.001",
-        worst_time,
+        largest(times),
         NEAR,
     ));
     sheet
