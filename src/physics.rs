@@ -26,7 +26,7 @@ mod state;
 mod tournament;
 
 pub use linear_law::{LinearLaw, floor_restitution};
-pub use observation::{Discs, Energy, Observation};
+pub use observation::{Discs, Energy, Integrals, Observation};
 pub use state::{Handover, State};
 
 use crate::scene::{Method, Scene, Solver};

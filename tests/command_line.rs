@@ -10,7 +10,7 @@ use std::process::{Command, Output, Stdio};
 use program::{beadlab, failed, json, printed, table};
 
 /// The names of DESIGN, in its order.
-const FIELDS: [&str; 27] = [
+const FIELDS: [&str; 29] = [
     "preset",
     "method",
     "law",
@@ -30,6 +30,8 @@ const FIELDS: [&str; 27] = [
     "contact_duration",
     "h_cm_mean",
     "h_cm_error",
+    "er_over_e_mean",
+    "er_over_e_error",
     "sigma",
     "energy_drift",
     "sensitivity",
@@ -111,7 +113,9 @@ fn json_has_what_the_scene_has_and_nothing_else() {
         for field in FIELDS {
             // The mean of a height has a standard error, a collision a sensitivity.
             let lacks = match field {
-                "h_cm_error" => absent.contains(&"h_cm_mean"),
+                "h_cm_error" | "er_over_e_mean" | "er_over_e_error" => {
+                    absent.contains(&"h_cm_mean")
+                }
                 "sensitivity" => absent.contains(&"eps_eff"),
                 _ => absent.contains(&field) || POWER.contains(&field),
             };
@@ -268,7 +272,7 @@ fn csv_without_an_interval_is_one_row_of_the_same_fields() {
     let (header, rows) = table(&printed(&["run", "fig1e", "--format", "csv"]));
     assert_eq!(
         header,
-        FIELDS[..25],
+        FIELDS[..27],
         "wall_time and speed measure the machine"
     );
     assert_eq!(rows.len(), 1);

@@ -118,7 +118,7 @@ fn rows_are_those_of_single_runs_in_the_order_of_the_product() {
     let rows = cells(&out);
     assert_eq!(
         rows[0].join(","),
-        "n,restitution,eps_eff,er_over_ef,contact_duration,h_cm_mean,h_cm_error,sigma,\
+        "n,restitution,eps_eff,er_over_ef,contact_duration,h_cm_mean,h_cm_error,er_over_e_mean,er_over_e_error,sigma,\
          energy_drift,events,steps,sim_time,note"
     );
     let points: Vec<String> = rows[1..].iter().map(|row| row[..2].join(" ")).collect();

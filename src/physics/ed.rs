@@ -9,6 +9,7 @@ mod cascade;
 mod chatter;
 mod pair;
 mod rule;
+mod tally;
 
 use super::column::{masses, much_to_come, nothing_to_come};
 use super::flight::{Free, Gap, Ground, Shaken, Weight};
@@ -22,6 +23,7 @@ use crate::scene::{CollisionRule, Floor, Method, Scene, Start};
 use chatter::Chatter;
 use pair::{Pair, pairs};
 use rule::{Always, LastCollisions, Rule};
+use tally::Tally;
 
 /// Part of the scene's own speed below which an approach counts as none: the
 /// threshold of the LRV procedure.
@@ -83,6 +85,7 @@ struct Ed<G, R> {
     now: f64,
     /// Energy per mass of the floor when the stack last changed.
     ride_from: f64,
+    tally: Tally,
     threshold: f64,
     chatter: Chatter,
     rest_time: f64,
@@ -120,6 +123,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             epoch: 0.0,
             now: 0.0,
             ride_from: 0.0,
+            tally: Tally::default(),
             threshold: LRV_THRESHOLD * speed,
             chatter: Chatter::new(scene, &masses),
             rest_time: scene
@@ -160,6 +164,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.kinetic_at_first = energy.kinetic;
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
+        self.weigh();
         self.schedule(0, self.gaps.len() - 1);
         self.schedule_take_off();
         self.queue.set(self.gaps.len() + 1, self.ground.tick());
@@ -241,6 +246,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Changes which beads ride the floor, and books the work done on them so far.
     fn set_stack(&mut self, stack: usize, t: f64) {
+        self.riders_change(t);
         let energy = self.floor_energy(t);
         let work = self.stack_mass() * (energy - self.ride_from);
         self.state.books.ledger.plate_work.add(work);
@@ -274,6 +280,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
         self.rule.shift(tick);
         self.chatter.shift(tick);
+        self.shift_tally(tick);
         self.queue.shift(tick);
         self.now -= tick;
         self.queue.set(self.gaps.len() + 1, tick);
@@ -333,6 +340,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
                 std::cmp::Ordering::Equal => self.take_off(self.now),
                 std::cmp::Ordering::Greater => self.move_epoch(),
             }
+            self.follow();
             next = self.queue.first();
             self.look_whether_over(next);
         }
@@ -354,6 +362,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
         let (gaps, rates) = self.gaps_and_rates(self.now);
         self.moment(&gaps, &rates, self.now)
             .observe(&self.state.books, self.ledger(), into);
+        into.integrals = self.integrals();
     }
 
     fn state(&self) -> State {

@@ -20,6 +20,17 @@ pub struct Energy {
     pub drift: f64,
 }
 
+/// Integrals over time since an engine was built.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Integrals {
+    /// Of the centre's reduced height, m s.
+    pub height: f64,
+    /// Of E, m²/s.
+    pub kinetic: f64,
+    /// Of E_r, m²/s.
+    pub relative: f64,
+}
+
 /// What can be seen of a column, or of a lattice, at one moment.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Observation {
@@ -39,6 +50,10 @@ pub struct Observation {
     pub contacts: Vec<bool>,
     /// Mean reduced height of the centre of mass, m.
     pub centre: f64,
+    /// Its velocity, m/s.
+    pub centre_velocity: f64,
+    /// Their integrals over time, for engines that have them in closed form.
+    pub integrals: Option<Integrals>,
     /// Energies and the ledger.
     pub energy: Energy,
     /// Mean free flight between successive contacts of the same pair, s: over the

@@ -1,6 +1,7 @@
 //! A run from start to end, and what it measures.
 
 use super::drive::{Drive, RunError};
+use super::means::Means;
 use crate::physics::Observation;
 use crate::scene::{Scene, diameters};
 
@@ -10,7 +11,7 @@ const LOOKS_IN_A_PERIOD: f64 = 200.0;
 /// So many looks are enough for any mean.
 const MOST_LOOKS: f64 = 1e6;
 
-/// Parts of a run whose means are taken for independent.
+/// Parts of a run whose means tell its standard error.
 const PARTS: usize = 20;
 
 /// The beginning of a run, which still depends on how it started.
@@ -28,8 +29,13 @@ pub struct Results {
     /// Mean absolute height of the centre of mass over the last 90 % of a run with
     /// gravity, m.
     pub h_cm_mean: Option<f64>,
-    /// Standard error of that mean, m, from the means of parts of the run.
+    /// Its error, m: the standard error, from the means of parts of the run, with what
+    /// is not known of the motion between looks.
     pub h_cm_error: Option<f64>,
+    /// Mean E_r over mean E, over the same time; of a column that moves.
+    pub er_over_e_mean: Option<f64>,
+    /// Its error, as of the height.
+    pub er_over_e_error: Option<f64>,
     /// Mean free flight over t_c at the end.
     pub sigma: Option<f64>,
     /// Relative error of the energy ledger.
@@ -51,10 +57,14 @@ pub fn measure(scene: &Scene, drive: &mut Drive) -> Result<Results, RunError> {
     let measured = match (scene.gravity, scene.duration) {
         (Some(gravity), Some(duration)) => {
             let looks = interval(scene, gravity);
-            let (mean, error) = mean_height(scene, drive, duration, looks, &mut last)?;
+            let means = means(scene, drive, duration, looks, &mut last)?;
+            let height = means.height(means.all());
+            let share = means.share(means.all());
             Results {
-                h_cm_mean: Some(mean),
-                h_cm_error: Some(error),
+                h_cm_mean: height.map(|mean| mean.value + stacking_height(scene)),
+                h_cm_error: height.and_then(|mean| mean.error),
+                er_over_e_mean: share.map(|mean| mean.value),
+                er_over_e_error: share.and_then(|mean| mean.error),
                 ..Results::default()
             }
         }
@@ -109,43 +119,31 @@ fn interval(scene: &Scene, gravity: f64) -> f64 {
     period / LOOKS_IN_A_PERIOD
 }
 
-/// Runs for the whole duration. Mean absolute height of the centre of mass, m,
-/// over its last nine tenths, and its standard error, m.
-fn mean_height(
+/// Runs for the whole duration. Means over its last nine tenths.
+fn means(
     scene: &Scene,
     drive: &mut Drive,
     duration: f64,
     interval: f64,
     last: &mut Observation,
-) -> Result<(f64, f64), RunError> {
+) -> Result<Means, RunError> {
     let begin = SETTLING * duration;
-    let looks = ((duration - begin) / interval)
-        .ceil()
-        .clamp(1.0, MOST_LOOKS);
-    drive.advance(begin)?;
-    let mut parts = [(0.0, 0.0); PARTS];
-    let mut look = 0.0;
-    while look < looks {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "below PARTS"
-        )]
-        let part = (PARTS as f64 * look / looks) as usize;
-        look += 1.0;
-        let until = begin + (duration - begin) * (look / looks);
+    let looks = ((duration - begin) / interval).min(MOST_LOOKS) / PARTS as f64;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "at most MOST_LOOKS"
+    )]
+    let in_a_part = looks.ceil().max(1.0) as usize;
+    let looks = PARTS * in_a_part;
+    let mut means = Means::new(scene, in_a_part);
+    for look in 0..=looks {
+        let until = begin + (duration - begin) * (look as f64 / looks as f64);
         drive.advance(until.min(duration))?;
         drive.observe(last);
-        parts[part].0 += last.centre;
-        parts[part].1 += 1.0;
+        means.look(last);
     }
-    let mean = parts.iter().map(|(sum, _)| sum).sum::<f64>() / looks;
-    let filled = parts.iter().filter(|(_, count)| *count > 0.0);
-    let spread: f64 = filled
-        .map(|(sum, count)| (sum / count - mean).powi(2))
-        .sum();
-    let error = (spread / (PARTS * (PARTS - 1)) as f64).sqrt();
-    Ok((mean + stacking_height(scene), error))
+    Ok(means)
 }
 
 /// Height of the centre of mass of the column that rests, just touching, on z = 0, m.

@@ -190,6 +190,9 @@ fn of_the_run(scene: &Scene, results: &Results, known: &Sensitivity) -> Vec<Row>
     let soft = scene.is_md();
     let standard_error = results.h_cm_error.zip(results.h_cm_mean);
     let standard_error = standard_error.map(|(error, mean)| (error / mean).abs());
+    let share = results.er_over_e_error.zip(results.er_over_e_mean);
+    let share = share.filter(|(_, mean)| *mean > 0.0);
+    let share_error = share.map(|(error, mean)| error / mean);
     vec![
         Row::new(
             "eps_eff",
@@ -224,7 +227,21 @@ fn of_the_run(scene: &Scene, results: &Results, known: &Sensitivity) -> Vec<Row>
             "h_cm_error",
             results.h_cm_error.map(Cell::Number),
             "m",
-            "its standard error",
+            "its error",
+        )
+        .known_to(Some(0.1)),
+        Row::new(
+            "er_over_e_mean",
+            results.er_over_e_mean.map(Cell::Number),
+            "",
+            "mean E_r over mean E, of the last 90 %",
+        )
+        .shown_to(share_error),
+        Row::new(
+            "er_over_e_error",
+            results.er_over_e_error.map(Cell::Number),
+            "",
+            "its error",
         )
         .known_to(Some(0.1)),
         Row::new(

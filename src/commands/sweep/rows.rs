@@ -9,12 +9,14 @@ use crate::study::{Results, RunError};
 use std::fmt::Write;
 
 /// What is measured, with units, in the order of the columns.
-const MEASURED: [(&str, &str); 10] = [
+const MEASURED: [(&str, &str); 12] = [
     ("eps_eff", ""),
     ("er_over_ef", ""),
     ("contact_duration", "s"),
     ("h_cm_mean", "m"),
     ("h_cm_error", "m"),
+    ("er_over_e_mean", ""),
+    ("er_over_e_error", ""),
     ("sigma", ""),
     ("energy_drift", ""),
     ("events", ""),
@@ -50,6 +52,8 @@ impl Row {
             results.contact_duration,
             results.h_cm_mean,
             results.h_cm_error,
+            results.er_over_e_mean,
+            results.er_over_e_error,
             results.sigma,
             Some(results.energy_drift),
             None,
@@ -64,8 +68,8 @@ impl Row {
         let mut cells = numbers.map(|x| x.map_or_else(String::new, number));
         let soft = scene.is_md();
         let counted = |is: bool, count: u64| if is { count.to_string() } else { String::new() };
-        cells[7] = counted(!soft, results.events);
-        cells[8] = counted(soft, results.steps);
+        cells[9] = counted(!soft, results.events);
+        cells[10] = counted(soft, results.steps);
         Self {
             results: Some(cells),
             note: remarks(&results),

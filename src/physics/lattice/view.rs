@@ -124,6 +124,8 @@ impl View<'_> {
         into.gaps.clear();
         into.contacts.clear();
         into.centre = into.reduced.iter().sum::<f64>() / n as f64;
+        into.centre_velocity = self.centre_velocity().1;
+        into.integrals = None;
         into.energy = ledger.closed(self.energy());
         into.free_flight = books.contacts.free_flight(self.time);
         into.bounce = books.bounce.restitution(into.energy.relative);
