@@ -25,8 +25,15 @@ pub struct Energy {
 pub struct Integrals {
     /// Of the centre's reduced height, m s.
     pub height: f64,
-    /// Of E, m²/s.
-    pub kinetic: f64,
+    /// Those that give E's, for engines that have them too.
+    pub energies: Option<Energies>,
+}
+
+/// Integrals over time of what E consists of, E = ½Mv² + E_r.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Energies {
+    /// Of the square of the centre's velocity v, m²/s.
+    pub squares: f64,
     /// Of E_r, m²/s.
     pub relative: f64,
 }
@@ -60,6 +67,8 @@ pub struct Observation {
     /// contacts begun in the last plate period (fixed floor: since the start).
     /// Divided by t_c it is the live σ. None before the first flight.
     pub free_flight: Option<f64>,
+    /// The same as it was when the last contact ended: of a collision that is over.
+    pub settled_flight: Option<f64>,
     /// ε_eff of the last bounce off the floor, in the floor's frame: √(E_f/E_0).
     pub bounce: Option<f64>,
     /// When the column last arrived at its floor: mean separation of its beads over its
@@ -74,6 +83,8 @@ pub struct Observation {
     /// When bead 1 last left the floor, s. The time between is the paper's t_k, "the
     /// total time of the interaction of the whole column of beads with the wall".
     pub floor_left: Option<f64>,
+    /// The deepest overlap seen so far, m, of soft contacts.
+    pub deepest: f64,
     /// Steps done (MD).
     pub steps: u64,
     /// Collisions done (ED).

@@ -60,6 +60,20 @@ impl Plate {
         self.centre + self.amplitude * self.phase.sin()
     }
 
+    /// ∫ z₀ dt, m s, and ∫ ż₀² dt, m²/s, over the next `tau` s.
+    pub fn swept(&self, tau: f64) -> (f64, f64) {
+        if self.omega == 0.0 {
+            return (self.centre * tau, 0.0);
+        }
+        let turn = self.omega * tau;
+        let middle = (self.phase + 0.5 * turn).sin();
+        let swung = 2.0 * self.amplitude / self.omega * (0.5 * turn).sin() * middle;
+        let beat = turn.sin() * (2.0 * self.phase + turn).cos() / self.omega;
+        let fastest = self.amplitude * self.omega;
+        let squares = 0.5 * fastest * fastest * (tau + beat);
+        (self.centre * tau + swung, squares)
+    }
+
     /// Velocity ż₀, m/s.
     pub fn velocity(&self) -> f64 {
         self.amplitude * self.omega * self.phase.cos()

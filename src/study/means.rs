@@ -10,6 +10,9 @@ use std::ops::Range;
 /// their distance: 1/√12.
 const SOMEWHERE: f64 = 0.288_675_134_594_812_9;
 
+/// Part of a block that is one whole, give or take a step of a grid.
+const WHOLE: f64 = 0.9;
+
 /// A mean and its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mean {
@@ -24,11 +27,12 @@ pub(super) struct Mean {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Block {
     time: f64,
-    sums: Integrals,
+    height: f64,
+    kinetic: f64,
+    relative: f64,
     /// Bound on the error of the height's, m s.
     height_off: f64,
-    /// Squares of the standard errors of E's and E_r's.
-    kinetic_off: f64,
+    /// Square of the standard error of E_r's, m⁴/s².
     relative_off: f64,
 }
 
@@ -91,11 +95,10 @@ impl Means {
         let between = self.between(last, look);
         let open = &mut self.open;
         open.time += between.time;
-        open.sums.height += between.sums.height;
-        open.sums.kinetic += between.sums.kinetic;
-        open.sums.relative += between.sums.relative;
+        open.height += between.height;
+        open.kinetic += between.kinetic;
+        open.relative += between.relative;
         open.height_off += between.height_off;
-        open.kinetic_off += between.kinetic_off;
         open.relative_off += between.relative_off;
         self.in_open += 1;
         if self.in_open == self.looks {
@@ -107,36 +110,30 @@ impl Means {
     /// The integrals between two looks: the engine's own, or by what both ends tell.
     fn between(&self, a: Look, b: Look) -> Block {
         let h = b.time - a.time;
-        if let (Some(from), Some(to)) = (a.integrals, b.integrals) {
-            return Block {
-                time: h,
-                sums: Integrals {
-                    height: to.height - from.height,
-                    kinetic: to.kinetic - from.kinetic,
-                    relative: to.relative - from.relative,
-                },
-                ..Block::default()
+        let own = |look: Look| Some((look.integrals?, look.integrals?.energies));
+        let (mut height, mut squares, mut height_off, jump) =
+            if a.on_floor == b.on_floor && a.floor_left == b.floor_left {
+                smooth(a, b)
+            } else {
+                self.pushed(a, b)
             };
-        }
-        let steady = a.on_floor == b.on_floor && a.floor_left == b.floor_left;
-        let (height, squares, height_off, jump) = if steady {
-            smooth(a, b)
-        } else {
-            self.pushed(a, b)
-        };
         // E_r has changed somewhere in between: at the floor's push, if there was one.
-        let relative = a.relative * jump + b.relative * (h - jump);
-        let off = (SOMEWHERE * h * (b.relative - a.relative)).powi(2);
+        let mut relative = a.relative * jump + b.relative * (h - jump);
+        let mut relative_off = (SOMEWHERE * h * (b.relative - a.relative)).powi(2);
+        if let Some(((from, before), (to, after))) = own(a).zip(own(b)) {
+            (height, height_off) = (to.height - from.height, 0.0);
+            if let Some((before, after)) = before.zip(after) {
+                squares = after.squares - before.squares;
+                (relative, relative_off) = (after.relative - before.relative, 0.0);
+            }
+        }
         Block {
             time: h,
-            sums: Integrals {
-                height,
-                kinetic: 0.5 * self.mass * squares + relative,
-                relative,
-            },
+            height,
+            kinetic: 0.5 * self.mass * squares + relative,
+            relative,
             height_off,
-            kinetic_off: off,
-            relative_off: off,
+            relative_off,
         }
     }
 
@@ -172,6 +169,14 @@ impl Means {
         (free + push, all, off, before)
     }
 
+    /// The last look was the last: what is left of a block counts as one, but for scatter.
+    pub fn finish(&mut self) {
+        if self.in_open > 0 {
+            self.blocks.push(std::mem::take(&mut self.open));
+            self.in_open = 0;
+        }
+    }
+
     /// Complete blocks.
     pub fn blocks(&self) -> usize {
         self.blocks.len()
@@ -185,7 +190,7 @@ impl Means {
     /// Mean of the centre's height over the resting column's, m, in some of the blocks.
     pub fn height(&self, of: Range<usize>) -> Option<Mean> {
         let blocks = self.blocks.get(of)?;
-        let mean = mean(blocks, |b| b.sums.height)?;
+        let mean = mean(blocks, |b| b.height)?;
         let time: f64 = blocks.iter().map(|b| b.time).sum();
         let off = blocks.iter().map(|b| b.height_off).sum::<f64>() / time;
         Some(mean.with(off))
@@ -195,8 +200,8 @@ impl Means {
     /// through 0.
     pub fn share(&self, of: Range<usize>) -> Option<Mean> {
         let blocks = self.blocks.get(of)?;
-        let relative = mean(blocks, |b| b.sums.relative)?.value;
-        let kinetic = mean(blocks, |b| b.sums.kinetic)?.value;
+        let relative = mean(blocks, |b| b.relative)?.value;
+        let kinetic = mean(blocks, |b| b.kinetic)?.value;
         if kinetic <= 0.0 {
             return None;
         }
@@ -209,7 +214,7 @@ impl Means {
             });
         }
         // What each block adds to the ratio's deviation.
-        let part = |b: &Block| (b.sums.relative - value * b.sums.kinetic) / kinetic;
+        let part = |b: &Block| (b.relative - value * b.kinetic) / kinetic;
         let deviations = mean(blocks, part)?;
         let time: f64 = blocks.iter().map(|b| b.time).sum();
         // Both have the same jumps: of the ratio the part that is not theirs together.
@@ -245,7 +250,9 @@ fn smooth(a: Look, b: Look) -> (f64, f64, f64, f64) {
 /// Mean over time of what blocks have the integrals of, and the scatter's error.
 fn mean(blocks: &[Block], sum: impl Fn(&Block) -> f64) -> Option<Mean> {
     let time: f64 = blocks.iter().map(|b| b.time).sum();
-    let values: Vec<f64> = blocks.iter().map(|b| sum(b) / b.time).collect();
+    let whole = blocks.first().map_or(0.0, |b| WHOLE * b.time);
+    let values = blocks.iter().filter(|b| b.time > whole);
+    let values: Vec<f64> = values.map(|b| sum(b) / b.time).collect();
     (time > 0.0).then(|| Mean {
         value: blocks.iter().map(&sum).sum::<f64>() / time,
         error: standard_error(&values),

@@ -7,7 +7,7 @@
 use super::{Ed, Rule};
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Sum;
-use crate::physics::observation::Integrals;
+use crate::physics::observation::{Energies, Integrals};
 use crate::physics::plate::Plate;
 
 /// The column as two bodies, at a time, and the integrals up to there.
@@ -31,31 +31,13 @@ pub(super) struct Tally {
     /// Whether the two bodies have to be weighed again.
     stale: bool,
     height: Sum,
-    kinetic: Sum,
-    apart: Sum,
-}
-
-/// ∫ z₀ dt, m s, and ∫ ż₀² dt, m²/s, over `tau` s from `plate` on.
-fn ridden(plate: Plate, tau: f64) -> (f64, f64) {
-    let Plate {
-        amplitude,
-        omega,
-        phase,
-        centre,
-    } = plate;
-    if omega == 0.0 {
-        return (centre * tau, 0.0);
-    }
-    let turn = omega * tau;
-    let swung = 2.0 * amplitude / omega * (0.5 * turn).sin() * (phase + 0.5 * turn).sin();
-    let speed = amplitude * omega;
-    let squares = 0.5 * speed * speed * (tau + turn.sin() * (2.0 * phase + turn).cos() / omega);
-    (centre * tau + swung, squares)
+    squares: Sum,
+    heat: Sum,
 }
 
 impl Tally {
-    /// The integrals of Σ m z, E and E_r over `tau` s from `t` on, `plate` being the floor
-    /// at `t`.
+    /// The integrals of Σ m z, of (Σ m v)² and of E_r over `tau` s from `t` on, `plate`
+    /// being the floor at `t`.
     fn ahead(&self, tau: f64, gravity: f64, plate: Plate) -> [f64; 3] {
         let Self {
             flying,
@@ -64,27 +46,25 @@ impl Tally {
             ..
         } = *self;
         let fall = gravity * tau;
-        let mut height = tau * (self.moment + tau * (0.5 * momentum - flying * fall / 6.0));
+        let height = tau * (self.moment + tau * (0.5 * momentum - flying * fall / 6.0));
         let warmth = self.warmth + self.relative * (self.t + tau - self.since);
-        let (mut kinetic, mut apart) = (warmth, warmth);
-        let (mut squares, mut speed) = (0.0, 0.0);
-        if flying > 0.0 {
-            speed = momentum / flying;
-            squares = tau * (speed * (speed - fall) + fall * fall / 3.0);
-            kinetic += 0.5 * flying * squares;
+        let speed = if flying > 0.0 { momentum / flying } else { 0.0 };
+        let flown = tau * (speed * (speed - fall) + fall * fall / 3.0);
+        if riding == 0.0 {
+            return [height, flying * flying * flown, warmth];
         }
-        if riding > 0.0 {
-            let (ride, ridden) = ridden(plate, tau);
-            height += riding * ride;
-            kinetic += 0.5 * riding * ridden;
-            // Of the two bodies' relative velocity; by parts: ∫ v ż₀ dt.
-            let start = plate.position();
-            let risen = plate.later(tau).position() - start;
-            let mixed = (speed - fall) * risen + gravity * (ride - start * tau);
-            let reduced = flying * riding / (flying + riding);
-            apart += 0.5 * reduced * (squares - 2.0 * mixed + ridden).max(0.0);
-        }
-        [height, kinetic, apart]
+        let (ride, ridden) = plate.swept(tau);
+        // ∫ v ż₀ dt of both bodies' velocities, by parts.
+        let start = plate.position();
+        let risen = plate.later(tau).position() - start;
+        let mixed = (speed - fall) * risen + gravity * (ride - start * tau);
+        let squares = flying * (flying * flown + 2.0 * riding * mixed) + riding * riding * ridden;
+        let apart = flying * riding / (flying + riding) * (flown - 2.0 * mixed + ridden);
+        [
+            height + riding * ride,
+            squares,
+            warmth + 0.5 * apart.max(0.0),
+        ]
     }
 
     /// Collisions have lost so much in all, up to `t`.
@@ -103,10 +83,10 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let plate = self.ground.plate(self.tally.t);
         let tally = &mut self.tally;
         let tau = t - tally.t;
-        let [height, kinetic, apart] = tally.ahead(tau, self.gravity, plate);
+        let [height, squares, heat] = tally.ahead(tau, self.gravity, plate);
         tally.height.add(height);
-        tally.kinetic.add(kinetic);
-        tally.apart.add(apart);
+        tally.squares.add(squares);
+        tally.heat.add(heat);
         tally.warmth = 0.0;
         (tally.t, tally.since) = (t, t);
         let fall = self.gravity * tau;
@@ -203,7 +183,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     pub(super) fn integrals(&self) -> Option<Integrals> {
         let tally = &self.tally;
         let plate = self.ground.plate(tally.t);
-        let [height, kinetic, apart] = tally.ahead(self.now - tally.t, self.gravity, plate);
+        let [height, squares, heat] = tally.ahead(self.now - tally.t, self.gravity, plate);
         let with = |mut sum: Sum, more: f64| {
             sum.add(more);
             sum.total()
@@ -211,8 +191,10 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let mass = tally.flying + tally.riding;
         G::PULLS.then(|| Integrals {
             height: with(tally.height, height) / mass,
-            kinetic: with(tally.kinetic, kinetic),
-            relative: with(tally.apart, apart),
+            energies: Some(Energies {
+                squares: with(tally.squares, squares) / (mass * mass),
+                relative: with(tally.heat, heat),
+            }),
         })
     }
 }

@@ -24,6 +24,8 @@ pub(super) struct Encounter {
     pub lasts: f64,
     /// exp(−μπ/ω).
     pub restitution: f64,
+    /// The deepest overlap over the speed at which it closes, s.
+    pub depth: f64,
 }
 
 impl Encounter {
@@ -47,6 +49,7 @@ impl Encounter {
             omega,
             lasts,
             restitution: (-mu * lasts).exp(),
+            depth: (-mu / omega * omega.atan2(mu)).exp() / squared.sqrt().hypot(mu),
         })
     }
 

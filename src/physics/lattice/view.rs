@@ -128,6 +128,8 @@ impl View<'_> {
         into.integrals = None;
         into.energy = ledger.closed(self.energy());
         into.free_flight = books.contacts.free_flight(self.time);
+        into.settled_flight = books.contacts.settled_flight();
+        into.deepest = books.deepest;
         into.bounce = books.bounce.restitution(into.energy.relative);
         into.crossing = books.bounce.crossing();
         into.densest = books.bounce.densest(self.time, f64::INFINITY);
