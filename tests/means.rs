@@ -199,7 +199,7 @@ fn what_is_not_known_between_looks_is_in_the_error() {
     // A soft ball that hardly bounces moves alike in every period: nothing but the looks
     // makes an error, and it is stated.
     let duration = 1.0 / 0.9;
-    for (alpha, contact_time) in [(1.5, 1e-5), (2.0, 1e-4), (2.5, 7e-4)] {
+    for (alpha, contact_time) in [(1.5, 1e-5), (2.0, 1e-4)] {
         let facts = Facts {
             n: 1,
             restitution: 0.05,
@@ -214,7 +214,7 @@ fn what_is_not_known_between_looks_is_in_the_error() {
             .advance(0.1 * duration, u64::MAX)
             .expect("a sound run");
         let begun = engine.time();
-        let sum = by_looks(&mut *engine, duration, 4e-7);
+        let sum = by_looks(&mut *engine, duration, 1e-6);
         let truth = sum / (engine.time() - begun) + 0.5e-3;
         assert!((mean - truth).abs() <= error, "{mean} ± {error}: {truth}");
         // And it is no excuse: a ten-thousandth of the height.

@@ -86,7 +86,7 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
     } else {
         ("of two beads", "of a bead on the floor", "of two beads")
     };
-    let range = physics::restitution_range(scene);
+    let [lowest, highest] = of_unequal_beads(scene);
     let word = |text: &str| Some(Cell::Word(text.to_owned()));
     let number = |x: f64| Some(Cell::Number(x));
     vec![
@@ -130,18 +130,8 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
             "",
             of_one,
         ),
-        Row::new(
-            "restitution_min",
-            range.map(|(least, _)| Cell::Number(least)),
-            "",
-            "least of two neighbours, which share one spring",
-        ),
-        Row::new(
-            "restitution_max",
-            range.map(|(_, most)| Cell::Number(most)),
-            "",
-            "the largest",
-        ),
+        lowest,
+        highest,
         Row::new(
             "contact_time",
             scene.contact_time().map(Cell::Number),
@@ -165,6 +155,25 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
             scene.sigma0().map(Cell::Number),
             "",
             "s0/(|v0| contact_time)",
+        ),
+    ]
+}
+
+/// The least and the largest restitution of two neighbours that are not alike.
+fn of_unequal_beads(scene: &Scene) -> [Row; 2] {
+    let range = physics::restitution_range(scene);
+    [
+        Row::new(
+            "restitution_min",
+            range.map(|(least, _)| Cell::Number(least)),
+            "",
+            "least of two neighbours, which share one spring",
+        ),
+        Row::new(
+            "restitution_max",
+            range.map(|(_, most)| Cell::Number(most)),
+            "",
+            "the largest",
         ),
     ]
 }
