@@ -23,13 +23,29 @@ Examples:
 Without gravity a run lasts until the floor collision is over, and eps_eff,
 er_over_ef and contact_duration are given if that comes before `duration`.
 With gravity it lasts for `duration`, and h_cm_mean is the mean absolute height
-of the centre of mass over the last 90 % of it. A quantity that the scene does
-not have is left out. The same scene and seed give the same bytes, except for
-wall_time and speed, which measure the machine and stand only in json.
+of the centre of mass over the last 90 % of it, er_over_e_mean the mean E_r over
+the mean E. A quantity that the scene does not have is left out. The same scene
+and seed give the same bytes, except for wall_time and speed, which measure the
+machine and stand only in json.
 
-Results are printed to the digits that they have, and one more: the last bit of
-the start decides the others (sensitivity; without gravity it is measured unless
-the run is long), or the standard error of a mean.
+sigma is the mean time between successive contacts of the same pair, over
+contact_time: of a floor collision counted to the end of its last contact, under
+gravity over the contacts begun in the last plate period. overlap_max is the
+deepest overlap seen (gear, verlet: every 32 steps and at contact changes).
+
+Results are printed to the digits that they have, and one more. What decides the
+others is measured without gravity, unless the run is long, else by --sensitivity:
+what the last bit of the start changes, and other steps (gear, verlet) or
+tolerances (power laws). `sensitivity` is that of eps_eff or h_cm_mean; other
+results have their own, as in sigma_sensitivity. Means have an error, statistical
+and of the looks between which the motion is not known. Where nothing was
+measured a grid vouches for a tenth of a step in a contact time.
+
+energy_drift checks the books, not the results: on a grid it can be 500 times less
+than their error, of which step_error is an estimate, from other steps.
+
+Unequal beads share one spring and dashpot, so each pair has a restitution of its
+own, soft or hard (restitution_min, restitution_max; law = hooke, and ed).
 
 Exit codes: 0 done, 1 the run failed, 2 bad input.";
 
@@ -194,7 +210,7 @@ pub struct RunArgs {
     #[arg(long, value_name = "SECONDS", value_parser = positive, allow_hyphen_values = true)]
     pub every: Option<f64>,
 
-    /// Measure what the last bit of the start changes, in more runs
+    /// Measure what the last bit of the start changes, and other steps, in more runs
     #[arg(long, conflicts_with = "every")]
     pub sensitivity: bool,
 

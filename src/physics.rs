@@ -25,8 +25,9 @@ pub mod spectrum;
 mod state;
 mod tournament;
 
+pub use column::restitution_range;
 pub use linear_law::{LinearLaw, floor_restitution};
-pub use observation::{Discs, Energy, Observation};
+pub use observation::{Discs, Energies, Energy, Integrals, Observation};
 pub use state::{Handover, State};
 
 use crate::scene::{Method, Scene, Solver};

@@ -20,9 +20,7 @@ mod vary;
 
 pub use drive::{Allowance, Drive, RunError, SLICE, Watch, in_time, natural_time};
 pub use measure::{Results, measure};
-pub use sensitivity::{
-    Sensitivity, at_the_end, digits, in_its_digits, is_cheap, rounded, sensitivity,
-};
+pub use sensitivity::{Sensitivity, digits, in_its_digits, is_cheap, rounded, sensitivity};
 pub use vary::{PATTERNS, one_ulp_off, vary};
 
 /// Who waits for a study: is told what it is at, and which part of it is done.

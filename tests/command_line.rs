@@ -10,7 +10,7 @@ use std::process::{Command, Output, Stdio};
 use program::{beadlab, failed, json, printed, table};
 
 /// The names of DESIGN, in its order.
-const FIELDS: [&str; 27] = [
+const FIELDS: [&str; 37] = [
     "preset",
     "method",
     "law",
@@ -21,6 +21,8 @@ const FIELDS: [&str; 27] = [
     "n",
     "restitution",
     "floor_restitution",
+    "restitution_min",
+    "restitution_max",
     "contact_time",
     "v0",
     "s0",
@@ -30,9 +32,17 @@ const FIELDS: [&str; 27] = [
     "contact_duration",
     "h_cm_mean",
     "h_cm_error",
+    "er_over_e_mean",
+    "er_over_e_error",
     "sigma",
+    "overlap_max",
     "energy_drift",
+    "step_error",
     "sensitivity",
+    "er_over_ef_sensitivity",
+    "contact_duration_sensitivity",
+    "er_over_e_mean_sensitivity",
+    "sigma_sensitivity",
     "events",
     "steps",
     "sim_time",
@@ -111,8 +121,17 @@ fn json_has_what_the_scene_has_and_nothing_else() {
         for field in FIELDS {
             // The mean of a height has a standard error, a collision a sensitivity.
             let lacks = match field {
-                "h_cm_error" => absent.contains(&"h_cm_mean"),
-                "sensitivity" => absent.contains(&"eps_eff"),
+                "h_cm_error" | "er_over_e_mean" | "er_over_e_error" => {
+                    absent.contains(&"h_cm_mean")
+                }
+                "sensitivity" | "er_over_ef_sensitivity" | "contact_duration_sensitivity" => {
+                    absent.contains(&"eps_eff")
+                }
+                "sigma_sensitivity" => absent.contains(&"eps_eff") || absent.contains(&"sigma"),
+                "step_error" => absent.contains(&"eps_eff") || absent.contains(&"steps"),
+                "overlap_max" => absent.contains(&"steps"),
+                // Of a mean only when asked for; of unequal beads.
+                "er_over_e_mean_sensitivity" | "restitution_min" | "restitution_max" => true,
                 _ => absent.contains(&field) || POWER.contains(&field),
             };
             assert_eq!(object.contains_key(field), !lacks, "{preset}: {field}");
@@ -268,7 +287,7 @@ fn csv_without_an_interval_is_one_row_of_the_same_fields() {
     let (header, rows) = table(&printed(&["run", "fig1e", "--format", "csv"]));
     assert_eq!(
         header,
-        FIELDS[..25],
+        FIELDS[..35],
         "wall_time and speed measure the machine"
     );
     assert_eq!(rows.len(), 1);

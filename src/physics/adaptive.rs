@@ -192,6 +192,9 @@ impl<G: Ground + 'static> Adaptive<G> {
         enter(&mut books.ledger, &ahead.y, self.masses.len());
         let (changed, h) = (ahead.event.is_some(), ahead.h);
         self.motion.take(ahead);
+        let beads = self.masses.len();
+        let gaps = self.motion.y[..beads].iter().copied();
+        self.state.books.measure(gaps);
         self.now.add(h);
         let tick = self.motion.ground.tick();
         while self.now.total() >= tick {

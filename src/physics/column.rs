@@ -43,6 +43,19 @@ pub(crate) fn restitutions(scene: &Scene, masses: &[f64]) -> Vec<f64> {
         .collect()
 }
 
+/// The least and the largest restitution of two neighbours in a column of unequal beads
+/// with linear contacts, which share K and D_n; none where all have the scene's own.
+pub fn restitution_range(scene: &Scene) -> Option<(f64, f64)> {
+    let linear = !matches!(scene.law(), Some(Law::Power(_)));
+    if scene.width == 0.0 || scene.n < 2 || !linear {
+        return None;
+    }
+    let pairs = restitutions(scene, &masses(scene));
+    let (least, most) = (f64::INFINITY, 0.0_f64);
+    let range = |(least, most): (f64, f64), &x: &f64| (least.min(x), most.max(x));
+    Some(pairs[1..].iter().fold((least, most), range))
+}
+
 /// Spring and dashpot of every contact of a soft column; index 0 is the floor's. Hard
 /// beads have none.
 pub(crate) fn springs(scene: &Scene, masses: &[f64]) -> Vec<Spring> {

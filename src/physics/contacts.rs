@@ -168,6 +168,11 @@ impl ContactLog {
         self.last
     }
 
+    /// [`ContactLog::free_flight`] when the last contact ended.
+    pub fn settled_flight(&self) -> Option<f64> {
+        self.free_flight(self.last?)
+    }
+
     /// Mean free flight between successive contacts of the same pair, s (DESIGN §1:
     /// a pair that flies now counts once it has flown longer than the mean).
     pub fn free_flight(&self, time: f64) -> Option<f64> {

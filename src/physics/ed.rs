@@ -15,6 +15,7 @@ mod cascade;
 mod closing;
 mod pair;
 mod rule;
+mod tally;
 
 use super::column::{masses, much_to_come, nothing_to_come};
 use super::flight::{Free, Gap, Ground, Shaken, Weight};
@@ -28,6 +29,7 @@ use crate::scene::{CollisionRule, Floor, Method, Scene};
 use closing::Closing;
 use pair::{Pair, pairs};
 use rule::{Always, LastCollisions, Rule};
+use tally::Tally;
 
 /// What can still change of the kinetic energy of a floor collision that is over, as a
 /// part of it: less than any digit of a double shows.
@@ -92,6 +94,7 @@ struct Ed<G, R> {
     now: f64,
     /// Energy per mass of the floor when the stack last changed.
     ride_from: f64,
+    tally: Tally,
     closing: Closing,
     /// The gaps of a cascade that was left for a pause, some of which still approach.
     paused: Option<(usize, usize)>,
@@ -134,6 +137,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             now: 0.0,
             ride_from: 0.0,
             paused: None,
+            tally: Tally::default(),
             kinetic_at_first: f64::INFINITY,
             check_at: 0,
             over: false,
@@ -169,6 +173,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.kinetic_at_first = energy.kinetic;
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
+        self.weigh();
         self.schedule(0, self.gaps.len() - 1);
         self.schedule_take_off();
         self.queue.set(self.gaps.len() + 1, self.ground.tick());
@@ -265,6 +270,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Changes which beads ride the floor, and books the work done on them so far.
     fn set_stack(&mut self, stack: usize, t: f64) {
+        self.riders_change(t);
         let energy = self.floor_energy(t);
         let work = self.stack_mass() * (energy - self.ride_from);
         self.state.books.ledger.plate_work.add(work);
@@ -296,6 +302,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             gap.t -= by;
         }
         self.rule.shift(by);
+        self.shift_tally(by);
         self.queue.shift(by);
         self.now -= by;
         self.queue.set(self.gaps.len() + 1, self.ground.tick());
@@ -345,6 +352,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
                     return Ok(Outcome::OutOfBudget);
                 }
                 self.cascade(low, high, self.now);
+                self.keep_tally();
                 next = self.queue.first();
                 continue;
             }
@@ -373,6 +381,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
                 // A tick is a power of two: moving by it changes no bit of any absolute time.
                 std::cmp::Ordering::Greater => self.move_epoch(self.ground.tick()),
             }
+            self.keep_tally();
             if self.soon {
                 self.follow();
             }
@@ -397,6 +406,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
         let (gaps, rates) = self.gaps_and_rates(self.now);
         self.moment(&gaps, &rates, self.now)
             .observe(&self.state.books, self.ledger(), into);
+        into.integrals = self.integrals();
     }
 
     fn state(&self) -> State {

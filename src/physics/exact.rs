@@ -7,6 +7,7 @@
 //! per step of about half a contact time, or to its next contact change. Gaps outside
 //! clusters are in free flight and cost nothing until they close.
 
+mod centre;
 mod cluster;
 mod crossing;
 mod encounter;
@@ -20,7 +21,7 @@ mod upkeep;
 
 use super::column::{masses, springs};
 use super::flight::{Free, Gap, Ground, Shaken, Weight};
-use super::ledger::Ledger;
+use super::ledger::{Ledger, Sum};
 use super::moment::Moment;
 use super::observation::Observation;
 use super::power_law::Spring;
@@ -29,6 +30,7 @@ use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
 use crate::math;
 use crate::scene::{Floor, Law, Method, Scene};
+use centre::Centre;
 use cluster::Plan;
 use crossing::ROWS;
 use encounter::Encounter;
@@ -112,6 +114,7 @@ struct Exact<G> {
     /// Now, s from the epoch.
     now: f64,
     repose: Repose,
+    centre: Centre,
     /// Events since the epoch was moved.
     since: usize,
     /// Energy at the start or after an edit, m²/s²; without gravity it only falls.
@@ -183,6 +186,7 @@ impl<G: Ground> Exact<G> {
             tick: math::exp2(math::log2(TICK * contact_time).round()),
             now: 0.0,
             repose: Repose::new(),
+            centre: Centre::default(),
             since: 0,
             energy_at_first: f64::INFINITY,
             check_at: (0, INSPECTION),
@@ -214,6 +218,7 @@ impl<G: Ground> Exact<G> {
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
         self.regroup(0, n, 0.0);
+        self.centre = self.weighed(Sum::default());
     }
 
     /// What a gap does by its place and rate. Beads just touching are in contact.
@@ -260,8 +265,10 @@ impl<G: Ground> Exact<G> {
             gap.t -= shift;
         }
         self.queue.shift(shift);
+        self.centre.t -= shift;
         self.ground
             .set_plate(self.state.plate.later(self.ticks * self.tick));
+        self.weigh();
     }
 
     /// Carries out what the cluster that starts at `i` has planned, at `t`.
@@ -358,6 +365,7 @@ impl<G: Ground> Engine for Exact<G> {
         let (gaps, rates) = self.gaps_and_rates(self.now);
         self.moment(&gaps, &rates, self.now)
             .observe(&self.state.books, self.ledger(), into);
+        into.integrals = self.integrals();
     }
 
     fn state(&self) -> State {

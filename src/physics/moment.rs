@@ -101,20 +101,25 @@ impl Moment<'_> {
         into.floor_velocity = v;
         into.reduced.clear();
         into.velocities.clear();
-        let (mut mass, mut height) = (0.0, 0.0);
+        let (mut mass, mut height, mut momentum) = (0.0, 0.0, 0.0);
         for ((g, w), m) in self.gaps.iter().zip(self.rates).zip(self.masses) {
             z += g;
             v += w;
             mass += m;
             height += m * z;
+            momentum += m * v;
             into.reduced.push(z);
             into.velocities.push(v);
         }
         into.centre = height / mass;
+        into.centre_velocity = momentum / mass;
+        into.integrals = None;
         self.gaps.clone_into(&mut into.gaps);
         books.contacts.closed().clone_into(&mut into.contacts);
         into.energy = ledger.closed(self.energy());
         into.free_flight = books.contacts.free_flight(self.time);
+        into.settled_flight = books.contacts.settled_flight();
+        into.deepest = books.deepest;
         into.bounce = books.bounce.restitution(into.energy.relative);
         into.crossing = books.bounce.crossing();
         into.densest = books.bounce.densest(self.time, self.plate.period());

@@ -20,6 +20,24 @@ pub struct Energy {
     pub drift: f64,
 }
 
+/// Integrals over time since an engine was built.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Integrals {
+    /// Of the centre's reduced height, m s.
+    pub height: f64,
+    /// Those that give E's, for engines that have them too.
+    pub energies: Option<Energies>,
+}
+
+/// Integrals over time of what E consists of, E = ½Mv² + E_r.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Energies {
+    /// Of the square of the centre's velocity v, m²/s.
+    pub squares: f64,
+    /// Of E_r, m²/s.
+    pub relative: f64,
+}
+
 /// What can be seen of a column, or of a lattice, at one moment.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Observation {
@@ -39,12 +57,18 @@ pub struct Observation {
     pub contacts: Vec<bool>,
     /// Mean reduced height of the centre of mass, m.
     pub centre: f64,
+    /// Its velocity, m/s.
+    pub centre_velocity: f64,
+    /// Their integrals over time, for engines that have them in closed form.
+    pub integrals: Option<Integrals>,
     /// Energies and the ledger.
     pub energy: Energy,
     /// Mean free flight between successive contacts of the same pair, s: over the
     /// contacts begun in the last plate period (fixed floor: since the start).
     /// Divided by t_c it is the live σ. None before the first flight.
     pub free_flight: Option<f64>,
+    /// The same as it was when the last contact ended: of a collision that is over.
+    pub settled_flight: Option<f64>,
     /// ε_eff of the last bounce off the floor, in the floor's frame: √(E_f/E_0).
     pub bounce: Option<f64>,
     /// When the column last arrived at its floor: mean separation of its beads over its
@@ -59,6 +83,8 @@ pub struct Observation {
     /// When bead 1 last left the floor, s. The time between is the paper's t_k, "the
     /// total time of the interaction of the whole column of beads with the wall".
     pub floor_left: Option<f64>,
+    /// The deepest overlap seen so far, m, of soft contacts.
+    pub deepest: f64,
     /// Steps done (MD).
     pub steps: u64,
     /// Collisions done (ED).

@@ -61,6 +61,20 @@ impl Plate {
         self.centre + self.amplitude * math::sin(self.phase)
     }
 
+    /// ∫ z₀ dt, m s, and ∫ ż₀² dt, m²/s, over the next `tau` s.
+    pub fn swept(&self, tau: f64) -> (f64, f64) {
+        if self.omega == 0.0 {
+            return (self.centre * tau, 0.0);
+        }
+        let turn = self.omega * tau;
+        let middle = math::sin(self.phase + 0.5 * turn);
+        let swung = 2.0 * self.amplitude / self.omega * math::sin(0.5 * turn) * middle;
+        let beat = math::sin(turn) * math::cos(2.0 * self.phase + turn) / self.omega;
+        let fastest = self.amplitude * self.omega;
+        let squares = 0.5 * fastest * fastest * (tau + beat);
+        (self.centre * tau + swung, squares)
+    }
+
     /// Velocity ż₀, m/s.
     pub fn velocity(&self) -> f64 {
         self.amplitude * self.omega * math::cos(self.phase)

@@ -14,6 +14,8 @@ pub(crate) struct Books {
     pub contacts: ContactLog,
     pub ledger: Ledger,
     pub bounce: Bounce,
+    /// The deepest overlap that was seen, m.
+    pub deepest: f64,
     pub steps: u64,
     pub events: u64,
     /// Collapses of hard beads that were closed.
@@ -37,6 +39,13 @@ impl Depth {
             Self::Full => full,
             Self::Half => full / 2,
         }
+    }
+}
+
+impl Books {
+    /// Sees how deep the contacts of some gaps are.
+    pub fn measure(&mut self, gaps: impl Iterator<Item = f64>) {
+        self.deepest = gaps.fold(self.deepest, |deepest, g| deepest.max(-g));
     }
 }
 
@@ -136,6 +145,7 @@ impl State {
                 contacts: ContactLog::new(closed, 0.0, scene.period()),
                 ledger: Ledger::default(),
                 bounce: Bounce::default(),
+                deepest: 0.0,
                 steps: 0,
                 events: 0,
                 closed: 0,

@@ -6,6 +6,7 @@
 
 mod candidates;
 mod collision;
+mod phases;
 mod plate;
 
 pub use candidates::{Candidate, candidates};

@@ -1,6 +1,7 @@
 //! A run from start to end, and what it measures.
 
 use super::drive::{Drive, RunError};
+use super::means::Means;
 use crate::math;
 use crate::physics::Observation;
 use crate::scene::{Scene, diameters};
@@ -11,8 +12,11 @@ const LOOKS_IN_A_PERIOD: f64 = 200.0;
 /// So many looks are enough for any mean.
 const MOST_LOOKS: f64 = 1e6;
 
-/// Parts of a run whose means are taken for independent.
-const PARTS: usize = 20;
+/// Parts of a run whose means tell its standard error, where it has no periods.
+const PARTS: f64 = 20.0;
+
+/// Fewest periods whose means do.
+const LEAST_PERIODS: f64 = 16.0;
 
 /// The beginning of a run, which still depends on how it started.
 const SETTLING: f64 = 0.1;
@@ -29,10 +33,18 @@ pub struct Results {
     /// Mean absolute height of the centre of mass over the last 90 % of a run with
     /// gravity, m.
     pub h_cm_mean: Option<f64>,
-    /// Standard error of that mean, m, from the means of parts of the run.
+    /// Its error, m: the standard error, from the means of parts of the run, with what
+    /// is not known of the motion between looks.
     pub h_cm_error: Option<f64>,
-    /// Mean free flight over t_c at the end.
+    /// Mean E_r over mean E, over the same time; of a column that moves.
+    pub er_over_e_mean: Option<f64>,
+    /// Its error, as of the height.
+    pub er_over_e_error: Option<f64>,
+    /// Mean free flight over t_c: of a floor collision that is over, at the end of its
+    /// last contact; otherwise at the end of the run.
     pub sigma: Option<f64>,
+    /// The deepest overlap seen, over the diameter of the mean bead; of soft contacts.
+    pub overlap_max: Option<f64>,
     /// Relative error of the energy ledger.
     pub energy_drift: f64,
     /// Collisions (ED).
@@ -43,6 +55,38 @@ pub struct Results {
     pub sim_time: f64,
 }
 
+/// A ledger that is off by more belongs to a run that has lost its physics.
+const UNTRUSTED: f64 = 0.1;
+
+/// Overlaps deeper than this part of a diameter are no contacts of grains any more.
+const TOO_DEEP: f64 = 0.1;
+
+impl Results {
+    /// What a reader of them should know.
+    pub fn remarks(&self) -> Vec<String> {
+        let mut remarks = Vec::new();
+        if self.h_cm_mean.is_none() && self.eps_eff.is_none() {
+            remarks.push(format!(
+                "the floor collision is not over at {:e} s, so it has no eps_eff yet",
+                self.sim_time
+            ));
+        }
+        if self.energy_drift.abs() > UNTRUSTED {
+            remarks.push(format!(
+                "the energy ledger is off by {:.0} %, so these numbers are not to be trusted",
+                100.0 * self.energy_drift.abs()
+            ));
+        }
+        if let Some(deep) = self.overlap_max.filter(|&deep| deep > TOO_DEEP) {
+            remarks.push(format!(
+                "overlaps reach {:.0} % of a diameter, which is no contact of grains any more",
+                100.0 * deep
+            ));
+        }
+        remarks
+    }
+}
+
 /// Runs the scene of a drive to its end.
 ///
 /// # Errors
@@ -51,22 +95,30 @@ pub fn measure(scene: &Scene, drive: &mut Drive) -> Result<Results, RunError> {
     let mut last = Observation::default();
     let measured = match (scene.gravity, scene.duration) {
         (Some(gravity), Some(duration)) => {
-            let looks = interval(scene, gravity);
-            let (mean, error) = mean_height(scene, drive, duration, looks, &mut last)?;
+            let means = means(scene, drive, gravity, duration, &mut last)?;
+            let height = means.height(means.all());
+            let share = means.share(means.all());
             Results {
-                h_cm_mean: Some(mean),
-                h_cm_error: Some(error),
+                h_cm_mean: height.map(|mean| mean.value + stacking_height(scene)),
+                h_cm_error: height.and_then(|mean| mean.error),
+                er_over_e_mean: share.map(|mean| mean.value),
+                er_over_e_error: share.and_then(|mean| mean.error),
                 ..Results::default()
             }
         }
         _ => floor_collision(scene, drive, &mut last)?,
     };
-    let sigma = last
-        .free_flight
+    let flight = if measured.eps_eff.is_some() {
+        last.settled_flight
+    } else {
+        last.free_flight
+    };
+    let sigma = flight
         .zip(scene.contact_time())
         .map(|(flight, t_c)| flight / t_c);
     Ok(Results {
         sigma,
+        overlap_max: scene.is_md().then(|| last.deepest / scene.diameter),
         energy_drift: last.energy.drift,
         events: last.events,
         steps: last.steps,
@@ -101,52 +153,52 @@ fn floor_collision(
     })
 }
 
-/// Time between two looks at the centre of mass, s: a part of the plate's period,
-/// or of the time in which a bead falls by its diameter.
-fn interval(scene: &Scene, gravity: f64) -> f64 {
-    let period = scene
-        .period()
-        .unwrap_or_else(|| (2.0 * scene.diameter / gravity).sqrt());
-    period / LOOKS_IN_A_PERIOD
-}
-
-/// Runs for the whole duration. Mean absolute height of the centre of mass, m,
-/// over its last nine tenths, and its standard error, m.
-fn mean_height(
+/// Runs for the whole duration. Means over its last nine tenths: in blocks of the plate's
+/// periods where there are enough of them, else of equal parts.
+fn means(
     scene: &Scene,
     drive: &mut Drive,
+    gravity: f64,
     duration: f64,
-    interval: f64,
     last: &mut Observation,
-) -> Result<(f64, f64), RunError> {
+) -> Result<Means, RunError> {
     let begin = SETTLING * duration;
-    let looks = ((duration - begin) / interval)
-        .ceil()
-        .clamp(1.0, MOST_LOOKS);
+    let window = duration - begin;
+    let periods = scene.period().map(|period| (period, window / period));
+    let (block, blocks) = match periods {
+        Some((period, count)) if count >= LEAST_PERIODS => (period, count),
+        _ => (window / PARTS, PARTS),
+    };
+    // The time in which a bead falls by its diameter, where no plate has a period.
+    let natural = scene
+        .period()
+        .unwrap_or_else(|| (2.0 * scene.diameter / gravity).sqrt());
+    let looks = (LOOKS_IN_A_PERIOD * block / natural).min(MOST_LOOKS / blocks);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "at most MOST_LOOKS"
+    )]
+    let in_a_block = looks.ceil().max(1.0) as usize;
+    let interval = block / in_a_block as f64;
+    let mut means = Means::new(scene, in_a_block);
+    let (mut look, mut until) = (0.0, begin);
     drive.advance(begin)?;
-    let mut parts = [(0.0, 0.0); PARTS];
-    let mut look = 0.0;
-    while look < looks {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "below PARTS"
-        )]
-        let part = (PARTS as f64 * look / looks) as usize;
+    drive.observe(last);
+    means.look(last);
+    while until < duration {
         look += 1.0;
-        let until = begin + (duration - begin) * (look / looks);
-        drive.advance(until.min(duration))?;
+        until = begin + look * interval;
+        // A last look that rounding puts short of the end is meant to be there.
+        if until > duration - 1e-6 * interval {
+            until = duration;
+        }
+        drive.advance(until)?;
         drive.observe(last);
-        parts[part].0 += last.centre;
-        parts[part].1 += 1.0;
+        means.look(last);
     }
-    let mean = parts.iter().map(|(sum, _)| sum).sum::<f64>() / looks;
-    let filled = parts.iter().filter(|(_, count)| *count > 0.0);
-    let spread: f64 = filled
-        .map(|(sum, count)| math::powi(sum / count - mean, 2))
-        .sum();
-    let error = (spread / (PARTS * (PARTS - 1)) as f64).sqrt();
-    Ok((mean + stacking_height(scene), error))
+    means.finish();
+    Ok(means)
 }
 
 /// Height of the centre of mass of the column that rests, just touching, on z = 0, m.

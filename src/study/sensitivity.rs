@@ -1,19 +1,42 @@
-//! What the last bit of the start does to the results: how many digits a case has.
+//! How many digits a result has: what the last bit of the start does to it, and the step
+//! or the tolerance of its method.
 
 use super::drive::{Drive, RunError, Watch};
 use super::measure::{Results, measure};
-use super::vary::{PATTERNS, one_ulp_off};
+use super::vary::{PATTERNS, one_ulp_off, vary};
 use crate::math;
-use crate::scene::Scene;
+use crate::physics;
+use crate::scene::parameters::Value;
+use crate::scene::{Method, Scene, Solver};
 
-/// Bead steps of a run that may be done twice without being asked to.
+/// Bead steps of a run that may be done a few times without being asked to.
 const CHEAP: f64 = 1e8;
 
 /// What is known of a floor collision's energies at most: it counts as over when no more
 /// than this part of them can still change.
 const AT_THE_END: f64 = 1e-12;
 
-/// Relative changes of a run's results when its start changes in the last bit.
+/// Steps in a contact, as parts of the scene's own, that tell what the step does: contact
+/// changes fall elsewhere between the grid points of each. More finer ones where the
+/// coarser are not stable.
+const COARSER: [f64; 3] = [0.5, 0.585, 0.69];
+const FINER: [f64; 1] = [1.37];
+const FINEST: [f64; 2] = [1.69, 2.0];
+/// The difference from a finer grid, or a tighter tolerance, is only a part of an error.
+const BUT_A_PART: f64 = 2.0;
+
+/// Tolerances, as parts of the scene's own, that tell what it does.
+const TIGHTER: [f64; 2] = [0.1, 0.32];
+
+/// What a grid vouches for where nobody has tried another: contact changes fall between
+/// its points, so every contact is off by up to a step, which of the whole is about a
+/// tenth of a step in a contact time.
+const OF_A_STEP: f64 = 0.1;
+
+/// What a tolerance, of one step, vouches for over a whole run.
+const OF_A_TOLERANCE: f64 = 100.0;
+
+/// Relative changes of a run's results.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Sensitivity {
     /// Of ε_eff.
@@ -24,14 +47,19 @@ pub struct Sensitivity {
     pub contact_duration: Option<f64>,
     /// Of the mean height of the centre of mass.
     pub h_cm_mean: Option<f64>,
+    /// Of mean E_r over mean E.
+    pub er_over_e_mean: Option<f64>,
     /// Of σ.
     pub sigma: Option<f64>,
+    /// What the grid's step alone does to the main result.
+    pub step: Option<f64>,
 }
 
-/// The largest changes over `patterns` of last bits, of [`PATTERNS`] at most.
+/// The largest changes over `patterns` of last bits, of [`PATTERNS`] at most, and over
+/// other steps or tolerances where the method has them; none of no patterns.
 ///
 /// # Errors
-/// As [`measure`].
+/// As [`measure`] of the scene.
 pub fn sensitivity(
     scene: &Scene,
     results: &Results,
@@ -39,22 +67,75 @@ pub fn sensitivity(
     watch: &mut Watch,
 ) -> Result<Sensitivity, RunError> {
     let mut found = Sensitivity::default();
+    if patterns == 0 {
+        return Ok(found);
+    }
+    found.vary_method(scene, results, watch)?;
     for pattern in 0..patterns.min(PATTERNS) {
-        let mut look = |time| watch(time);
-        let mut drive = Drive::of(one_ulp_off(scene, pattern), scene, &mut look);
-        found.widen(results, &measure(scene, &mut drive)?);
+        let off = one_ulp_off(scene, pattern);
+        found.widen(results, &run(off, scene, watch)?, 1.0);
     }
     Ok(found)
 }
 
+fn run(
+    engine: Box<dyn physics::Engine>,
+    scene: &Scene,
+    watch: &mut Watch,
+) -> Result<Results, RunError> {
+    let mut look = |time| watch(time);
+    measure(scene, &mut Drive::of(engine, scene, &mut look))
+}
+
 impl Sensitivity {
-    fn widen(&mut self, here: &Results, near: &Results) {
+    /// The same run with other steps, or tolerances.
+    fn vary_method(
+        &mut self,
+        scene: &Scene,
+        results: &Results,
+        watch: &mut Watch,
+    ) -> Result<(), RunError> {
+        let Some((name, value)) = of_method(scene) else {
+            return Ok(());
+        };
+        let mut try_all = |parts: &[f64], factor: f64| -> Result<usize, RunError> {
+            let mut done = 0;
+            for part in parts {
+                let set = [(name, Value::Number(part * value))];
+                let Ok(other) = vary(scene, None, &set) else {
+                    continue;
+                };
+                match run(physics::build(&other, None).0, &other, watch) {
+                    Ok(near) => self.widen(results, &near, factor),
+                    Err(RunError::Engine(_)) => continue,
+                    Err(stopped) => return Err(stopped),
+                }
+                done += 1;
+            }
+            Ok(done)
+        };
+        if name == "tolerance" {
+            if try_all(&TIGHTER, BUT_A_PART)? == 0 {
+                try_all(&TIGHTER.map(|part| 1.0 / part), 1.0)?;
+            }
+            return Ok(());
+        }
+        let coarser = try_all(&COARSER, 1.0)?;
+        try_all(&FINER, BUT_A_PART)?;
+        if coarser < COARSER.len() {
+            try_all(&FINEST, BUT_A_PART)?;
+        }
+        self.step = self.main();
+        Ok(())
+    }
+
+    fn widen(&mut self, here: &Results, near: &Results, factor: f64) {
         let widen = |known: &mut Option<f64>, here: Option<f64>, near: Option<f64>| {
             let Some(here) = here else { return };
             // A result that the other run does not have has no digits.
             let change = near.map_or(1.0, |near| ((near - here) / here).abs());
             let change = if change.is_nan() { 0.0 } else { change };
-            *known = Some(known.unwrap_or(f64::EPSILON).max(change));
+            *known = Some(known.unwrap_or(f64::EPSILON).max(factor * change));
         };
         widen(&mut self.eps_eff, here.eps_eff, near.eps_eff);
         widen(&mut self.er_over_ef, here.er_over_ef, near.er_over_ef);
@@ -64,12 +145,84 @@ impl Sensitivity {
             near.contact_duration,
         );
         widen(&mut self.h_cm_mean, here.h_cm_mean, near.h_cm_mean);
+        widen(
+            &mut self.er_over_e_mean,
+            here.er_over_e_mean,
+            near.er_over_e_mean,
+        );
         widen(&mut self.sigma, here.sigma, near.sigma);
     }
 
     /// That of the run's main result: ε_eff, or the mean height.
     pub fn main(&self) -> Option<f64> {
         self.eps_eff.or(self.h_cm_mean)
+    }
+
+    /// What is known of every result at best: the sensitivities, if they were measured;
+    /// the errors of means; and what the method vouches for where they were not.
+    #[must_use]
+    pub fn known(&self, scene: &Scene, results: &Results) -> Self {
+        let method = match of_method(scene) {
+            _ if self.main().is_some() => 0.0,
+            Some(("tolerance", tolerance)) => OF_A_TOLERANCE * tolerance,
+            Some((_, steps)) => OF_A_STEP / steps,
+            None => 0.0,
+        };
+        let known = |measured: Option<f64>, least: f64| {
+            let part = measured.unwrap_or(0.0).max(method).max(least);
+            (part > 0.0).then_some(part)
+        };
+        let of_mean = |error: Option<f64>, mean: Option<f64>| {
+            let part = error.zip(mean).map(|(error, mean)| (error / mean).abs());
+            part.filter(|part| part.is_finite()).unwrap_or(0.0)
+        };
+        let height = of_mean(results.h_cm_error, results.h_cm_mean);
+        let share = of_mean(results.er_over_e_error, results.er_over_e_mean);
+        Self {
+            eps_eff: known(self.eps_eff, AT_THE_END),
+            er_over_ef: known(self.er_over_ef, AT_THE_END),
+            contact_duration: known(self.contact_duration, 0.0),
+            h_cm_mean: known(self.h_cm_mean, height),
+            er_over_e_mean: known(self.er_over_e_mean, share),
+            sigma: known(self.sigma, 0.0),
+            step: self.step,
+        }
+    }
+
+    /// The results without the digits that are not known to these parts.
+    #[must_use]
+    pub fn cut(&self, results: &Results) -> Results {
+        let cut = |x: Option<f64>, part: Option<f64>| match (x, part) {
+            (Some(x), Some(part)) => Some(rounded(x, digits(part))),
+            _ => x,
+        };
+        Results {
+            eps_eff: cut(results.eps_eff, self.eps_eff),
+            er_over_ef: cut(results.er_over_ef, self.er_over_ef),
+            contact_duration: cut(results.contact_duration, self.contact_duration),
+            h_cm_mean: cut(results.h_cm_mean, self.h_cm_mean),
+            er_over_e_mean: cut(results.er_over_e_mean, self.er_over_e_mean),
+            sigma: cut(results.sigma, self.sigma),
+            ..results.clone()
+        }
+    }
+}
+
+/// What a method can be set to that decides how right it is: steps in a contact time, or
+/// a tolerance.
+fn of_method(scene: &Scene) -> Option<(&'static str, f64)> {
+    match scene.method {
+        Method::Md {
+            solver: Solver::Grid {
+                steps_per_contact, ..
+            },
+            ..
+        } => Some(("steps_per_contact", steps_per_contact)),
+        Method::Md {
+            solver: Solver::Adaptive { tolerance },
+            ..
+        } => Some(("tolerance", tolerance)),
+        _ => None,
     }
 }
 
@@ -80,8 +233,8 @@ pub fn is_cheap(scene: &Scene, results: &Results) -> bool {
     scene.gravity.is_none() && cost < CHEAP
 }
 
-/// The results of a run without the digits that the last bit of its start decides, where
-/// it costs little to know them.
+/// The results of a run without the digits that they do not have; those of a run that
+/// costs little are measured.
 ///
 /// # Errors
 /// As [`measure`].
@@ -89,25 +242,10 @@ pub fn in_its_digits(
     scene: &Scene,
     results: &Results,
     watch: &mut Watch,
-) -> Result<Results, RunError> {
+) -> Result<(Results, Sensitivity), RunError> {
     let patterns = usize::from(is_cheap(scene, results));
-    let known = sensitivity(scene, results, patterns, watch)?;
-    let cut = |x: Option<f64>, part: Option<f64>| match (x, part) {
-        (Some(x), Some(part)) => Some(rounded(x, digits(part))),
-        _ => x,
-    };
-    Ok(Results {
-        eps_eff: cut(results.eps_eff, at_the_end(known.eps_eff)),
-        er_over_ef: cut(results.er_over_ef, at_the_end(known.er_over_ef)),
-        contact_duration: cut(results.contact_duration, known.contact_duration),
-        sigma: cut(results.sigma, known.sigma),
-        ..results.clone()
-    })
-}
-
-/// What is known of an energy at the end of a floor collision at most.
-pub fn at_the_end(part: Option<f64>) -> Option<f64> {
-    part.map(|part| part.max(AT_THE_END))
+    let measured = sensitivity(scene, results, patterns, watch)?;
+    Ok((measured.known(scene, results).cut(results), measured))
 }
 
 /// Digits of a number that is known to this part of itself, and one to spare.

@@ -12,7 +12,7 @@ pub use parallel::run;
 
 use crate::scene::parameters::{Setting, Value};
 use crate::scene::{MethodName, Preset, Scene, SceneError};
-use crate::study::{Drive, Results, RunError, in_its_digits, measure};
+use crate::study::{Drive, Results, RunError, Sensitivity, in_its_digits, measure};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -154,8 +154,12 @@ impl Sweep {
     }
 }
 
-/// Measures a scene, with the digits that it has, unless it is stopped on the way.
-pub fn measure_unless(scene: &Scene, stop: &AtomicBool) -> Option<Result<Results, RunError>> {
+/// Measures a scene, with the digits that its results have and what tells them, unless it
+/// is stopped on the way.
+pub fn measure_unless(
+    scene: &Scene,
+    stop: &AtomicBool,
+) -> Option<Result<(Results, Sensitivity), RunError>> {
     let mut watch = |_| {
         if stop.load(Ordering::Relaxed) {
             ControlFlow::Break(())

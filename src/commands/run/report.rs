@@ -54,15 +54,6 @@ impl Row {
         self
     }
 
-    /// The same for people only: files keep all digits of what is a sure mean of a
-    /// motion that may not be typical.
-    pub fn shown_to(self, part: Option<f64>) -> Self {
-        Self {
-            known: self.known.or(part),
-            ..self
-        }
-    }
-
     pub fn of_the_machine(
         name: &'static str,
         value: f64,
@@ -125,6 +116,8 @@ impl Report {
 
     fn text(&self) -> String {
         let mut text = format!("{}\n\n", self.title);
+        let shown = self.of_the_scene().filter(|row| row.cell.is_some());
+        let width = shown.map(|row| row.name.len()).fold(18, usize::max);
         for Row {
             name,
             cell,
@@ -136,7 +129,7 @@ impl Report {
         {
             let Some(cell) = cell else { continue };
             let value = format!("{} {unit}", readable(cell, *known));
-            let line = format!("{name:<18} {:<20} {meaning}", value.trim_end());
+            let line = format!("{name:<width$} {:<20} {meaning}", value.trim_end());
             text += line.trim_end();
             text.push('\n');
         }

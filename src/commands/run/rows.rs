@@ -3,12 +3,9 @@
 use super::report::{Cell, Report, Row};
 use crate::commands::{Failure, note};
 use crate::physics;
-use crate::scene::{Arrangement, Law, Preset, Scene, Start};
-use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch, at_the_end, is_cheap};
+use crate::scene::{Arrangement, Law, MethodName, Preset, Scene, Start};
+use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch, is_cheap};
 use std::time::Instant;
-
-/// A ledger that is off by more belongs to a run that has lost its physics.
-const UNTRUSTED: f64 = 0.1;
 
 /// Runs the scene to its end.
 pub(super) fn measure(
@@ -23,17 +20,8 @@ pub(super) fn measure(
     let wall_time = started.elapsed().as_secs_f64().max(1e-9);
     let patterns = patterns(scene, &results, sensitivity);
     let sensitivity = study::sensitivity(scene, &results, patterns, watch)?;
-    if results.h_cm_mean.is_none() && results.eps_eff.is_none() {
-        note(&format!(
-            "the floor collision is not over at {:e} s, so it has no eps_eff yet",
-            results.sim_time
-        ));
-    }
-    if results.energy_drift.abs() > UNTRUSTED {
-        note(&format!(
-            "the energy ledger is off by {:.0} %, so these numbers are not to be trusted",
-            100.0 * results.energy_drift.abs()
-        ));
+    for remark in results.remarks() {
+        note(&remark);
     }
     let report = Report {
         title: preset.title.clone(),
@@ -58,7 +46,8 @@ fn rows(preset: &Preset, results: &Results, sensitivity: &Sensitivity, wall_time
     let sim_time = results.sim_time;
     let mut rows = of_the_scene(preset);
     rows.extend(of_the_lattice(&preset.scene));
-    rows.extend(of_the_run(&preset.scene, results, sensitivity));
+    let known = sensitivity.known(&preset.scene, results);
+    rows.extend(of_the_run(&preset.scene, results, sensitivity, &known));
     rows.push(Row::new(
         "sim_time",
         Some(Cell::Number(sim_time)),
@@ -97,6 +86,7 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
     } else {
         ("of two beads", "of a bead on the floor", "of two beads")
     };
+    let [lowest, highest] = of_unequal_beads(scene);
     let word = |text: &str| Some(Cell::Word(text.to_owned()));
     let number = |x: f64| Some(Cell::Number(x));
     vec![
@@ -140,6 +130,8 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
             "",
             of_one,
         ),
+        lowest,
+        highest,
         Row::new(
             "contact_time",
             scene.contact_time().map(Cell::Number),
@@ -167,6 +159,25 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
     ]
 }
 
+/// The least and the largest restitution of two neighbours that are not alike.
+fn of_unequal_beads(scene: &Scene) -> [Row; 2] {
+    let range = physics::restitution_range(scene);
+    [
+        Row::new(
+            "restitution_min",
+            range.map(|(least, _)| Cell::Number(least)),
+            "",
+            "least of two neighbours, which share one spring",
+        ),
+        Row::new(
+            "restitution_max",
+            range.map(|(_, most)| Cell::Number(most)),
+            "",
+            "the largest",
+        ),
+    ]
+}
+
 /// What only a lattice has.
 fn of_the_lattice(scene: &Scene) -> Vec<Row> {
     let (Arrangement::Lattice { tangential, .. }, Some(sites)) = (scene.arrangement, scene.sites())
@@ -186,79 +197,121 @@ fn of_the_lattice(scene: &Scene) -> Vec<Row> {
     ]
 }
 
-fn of_the_run(scene: &Scene, results: &Results, known: &Sensitivity) -> Vec<Row> {
+fn of_the_run(
+    scene: &Scene,
+    results: &Results,
+    measured: &Sensitivity,
+    known: &Sensitivity,
+) -> Vec<Row> {
     let soft = scene.is_md();
-    let standard_error = results.h_cm_error.zip(results.h_cm_mean);
-    let standard_error = standard_error.map(|(error, mean)| (error / mean).abs());
-    vec![
-        Row::new(
-            "eps_eff",
-            results.eps_eff.map(Cell::Number),
-            "",
-            "sqrt(E_f/E_0)",
-        )
-        .known_to(at_the_end(known.eps_eff)),
+    let number = |x: Option<f64>| x.map(Cell::Number);
+    let rough = |name, x, unit, meaning| Row::new(name, number(x), unit, meaning).known_to(ROUGHLY);
+    let mut rows = vec![
+        Row::new("eps_eff", number(results.eps_eff), "", "sqrt(E_f/E_0)").known_to(known.eps_eff),
         Row::new(
             "er_over_ef",
-            results.er_over_ef.map(Cell::Number),
+            number(results.er_over_ef),
             "",
             "share of E_f that is relative motion",
         )
-        .known_to(at_the_end(known.er_over_ef)),
+        .known_to(known.er_over_ef),
         Row::new(
             "contact_duration",
-            results.contact_duration.map(Cell::Number),
+            number(results.contact_duration),
             "s",
             "the floor's, from first touch to last",
         )
         .known_to(known.contact_duration),
         Row::new(
             "h_cm_mean",
-            results.h_cm_mean.map(Cell::Number),
+            number(results.h_cm_mean),
             "m",
             "height of the centre of mass, mean of the last 90 %",
         )
-        .known_to(known.h_cm_mean)
-        .shown_to(standard_error),
+        .known_to(known.h_cm_mean),
+        rough("h_cm_error", results.h_cm_error, "m", "its error"),
         Row::new(
-            "h_cm_error",
-            results.h_cm_error.map(Cell::Number),
-            "m",
-            "its standard error",
+            "er_over_e_mean",
+            number(results.er_over_e_mean),
+            "",
+            "mean E_r over mean E, of the last 90 %",
         )
-        .known_to(Some(0.1)),
+        .known_to(known.er_over_e_mean),
+        rough("er_over_e_error", results.er_over_e_error, "", "its error"),
         Row::new(
             "sigma",
-            results.sigma.map(Cell::Number),
+            number(results.sigma),
             "",
             "mean free flight over contact_time",
         )
         .known_to(known.sigma),
-        Row::new(
+        rough(
+            "overlap_max",
+            results.overlap_max,
+            "",
+            "deepest overlap seen, over the diameter",
+        ),
+        rough(
             "energy_drift",
-            Some(Cell::Number(results.energy_drift)),
+            Some(results.energy_drift),
             "",
-            "relative error of the ledger",
-        )
-        .known_to(Some(0.1)),
-        Row::new(
-            "sensitivity",
-            known.main().map(Cell::Number),
-            "",
-            "relative change by a last bit of the start",
-        )
-        .known_to(Some(0.1)),
-        Row::new(
-            "events",
-            (!soft).then_some(Cell::Count(results.events)),
-            "",
-            "collisions",
+            "what the ledger misses: no error of results",
         ),
-        Row::new(
-            "steps",
-            soft.then_some(Cell::Count(results.steps)),
+        rough(
+            "step_error",
+            measured.step,
             "",
-            "time steps",
+            "of the main result, by other steps",
         ),
+    ];
+    rows.extend(of_sensitivity(scene, measured));
+    rows.push(Row::new(
+        "events",
+        (!soft).then_some(Cell::Count(results.events)),
+        "",
+        "collisions",
+    ));
+    rows.push(Row::new(
+        "steps",
+        soft.then_some(Cell::Count(results.steps)),
+        "",
+        "time steps",
+    ));
+    rows
+}
+
+/// What is printed of a number that is an error itself.
+const ROUGHLY: Option<f64> = Some(0.1);
+
+/// What every result is sensitive to: the main one first, then the others by name.
+fn of_sensitivity(scene: &Scene, measured: &Sensitivity) -> [Row; 5] {
+    let meaning = match scene.method.name() {
+        MethodName::Gear | MethodName::Verlet => "relative change by other steps, or a last bit",
+        MethodName::Exact if !matches!(scene.law(), Some(Law::Hooke { .. })) => {
+            "relative change by the tolerance, or a last bit"
+        }
+        MethodName::Exact | MethodName::Ed => "relative change by a last bit of the start",
+    };
+    let row = |name, part: Option<f64>, meaning| {
+        Row::new(name, part.map(Cell::Number), "", meaning).known_to(ROUGHLY)
+    };
+    [
+        row("sensitivity", measured.main(), meaning),
+        row(
+            "er_over_ef_sensitivity",
+            measured.er_over_ef,
+            "that of er_over_ef",
+        ),
+        row(
+            "contact_duration_sensitivity",
+            measured.contact_duration,
+            "that of contact_duration",
+        ),
+        row(
+            "er_over_e_mean_sensitivity",
+            measured.er_over_e_mean,
+            "that of er_over_e_mean",
+        ),
+        row("sigma_sensitivity", measured.sigma, "that of sigma"),
     ]
 }

@@ -5,25 +5,37 @@ use crate::scene::Scene;
 use crate::scene::parameters::{self, Value};
 use crate::scene::words::one_line;
 use crate::study::sweep::Sweep;
-use crate::study::{Results, RunError};
+use crate::study::{Results, RunError, Sensitivity, rounded};
 use std::fmt::Write;
 
 /// What is measured, with units, in the order of the columns.
-const MEASURED: [(&str, &str); 10] = [
+const MEASURED: [(&str, &str); 19] = [
     ("eps_eff", ""),
     ("er_over_ef", ""),
     ("contact_duration", "s"),
     ("h_cm_mean", "m"),
     ("h_cm_error", "m"),
+    ("er_over_e_mean", ""),
+    ("er_over_e_error", ""),
     ("sigma", ""),
+    ("overlap_max", ""),
     ("energy_drift", ""),
+    ("step_error", ""),
+    ("sensitivity", ""),
+    ("er_over_ef_sensitivity", ""),
+    ("contact_duration_sensitivity", ""),
+    ("er_over_e_mean_sensitivity", ""),
+    ("sigma_sensitivity", ""),
     ("events", ""),
     ("steps", ""),
     ("sim_time", "s"),
 ];
 
-/// A ledger that is off by more belongs to a run that has lost its physics.
-const UNTRUSTED: f64 = 0.1;
+/// Where events and steps stand in it.
+const COUNTS: [usize; 2] = [16, 17];
+
+/// Digits of a number that is an error itself.
+const ROUGHLY: usize = 2;
 
 /// What became of one point.
 pub(super) struct Row {
@@ -35,23 +47,33 @@ type Cells = [String; MEASURED.len()];
 
 impl Row {
     /// Of the run of a scene. Results that are no numbers are as good as none.
-    pub fn of(scene: &Scene, outcome: Result<Results, RunError>) -> Self {
+    pub fn of(scene: &Scene, outcome: Result<(Results, Sensitivity), RunError>) -> Self {
         let failed = |note: String| Self {
             results: None,
             note,
         };
-        let results = match outcome {
-            Ok(results) => results,
+        let (results, known) = match outcome {
+            Ok(measured) => measured,
             Err(error) => return failed(one_line(&error.to_string())),
         };
+        let rough = |x: Option<f64>| x.map(|x| rounded(x, ROUGHLY));
         let numbers = [
             results.eps_eff,
             results.er_over_ef,
             results.contact_duration,
             results.h_cm_mean,
-            results.h_cm_error,
+            rough(results.h_cm_error),
+            results.er_over_e_mean,
+            rough(results.er_over_e_error),
             results.sigma,
-            Some(results.energy_drift),
+            rough(results.overlap_max),
+            rough(Some(results.energy_drift)),
+            rough(known.step),
+            rough(known.main()),
+            rough(known.er_over_ef),
+            rough(known.contact_duration),
+            rough(known.er_over_e_mean),
+            rough(known.sigma),
             None,
             None,
             Some(results.sim_time),
@@ -64,11 +86,11 @@ impl Row {
         let mut cells = numbers.map(|x| x.map_or_else(String::new, number));
         let soft = scene.is_md();
         let counted = |is: bool, count: u64| if is { count.to_string() } else { String::new() };
-        cells[7] = counted(!soft, results.events);
-        cells[8] = counted(soft, results.steps);
+        cells[COUNTS[0]] = counted(!soft, results.events);
+        cells[COUNTS[1]] = counted(soft, results.steps);
         Self {
             results: Some(cells),
-            note: remarks(&results),
+            note: results.remarks().join("; "),
         }
     }
 
@@ -76,19 +98,6 @@ impl Row {
     pub fn failed(&self) -> bool {
         self.results.is_none()
     }
-}
-
-/// What a reader of the row should know.
-fn remarks(results: &Results) -> String {
-    let mut remarks = Vec::new();
-    if results.h_cm_mean.is_none() && results.eps_eff.is_none() {
-        remarks.push("the floor collision is not over".to_owned());
-    }
-    if results.energy_drift.abs() > UNTRUSTED {
-        let percent = 100.0 * results.energy_drift.abs();
-        remarks.push(format!("the energy ledger is off by {percent:.0} %"));
-    }
-    remarks.join("; ")
 }
 
 fn number(x: f64) -> String {

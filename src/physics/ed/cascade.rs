@@ -123,9 +123,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
         if j > 0 {
             self.gaps[j - 1].w -= change * pair.below;
-        } else if G::MOVES {
-            let work = pair.reduced * change * self.ground.plate(t).velocity();
-            self.state.books.ledger.plate_work.add(work);
+        } else {
+            self.floor_acts(pair.reduced * change, t);
         }
         self.state.books.ledger.lost.add(lost);
         self.state.books.events += 1;
@@ -181,13 +180,10 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 self.gaps[bead + 1].w -= change;
             }
         }
-        let books = &mut self.state.books.ledger;
-        books.lost.add(lost);
-        // Only a moving floor does work; without it the pools conserve their momentum.
-        if G::MOVES && on_floor {
-            books
-                .plate_work
-                .add(momentum * self.ground.plate(t).velocity());
+        self.state.books.ledger.lost.add(lost);
+        // Without the floor the pools conserve their momentum.
+        if on_floor {
+            self.floor_acts(momentum, t);
         }
     }
 
@@ -229,10 +225,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 self.gaps[j + 1].w += w;
             }
             self.state.books.ledger.lost.add(0.5 * m * w * w);
-            if G::MOVES {
-                let work = -m * w * self.ground.plate(t).velocity();
-                self.state.books.ledger.plate_work.add(work);
-            }
+            self.floor_acts(-m * w, t);
         }
     }
 

@@ -25,6 +25,8 @@ pub(super) struct Encounter {
     pub lasts: f64,
     /// exp(−μπ/ω).
     pub restitution: f64,
+    /// The deepest overlap over the speed at which it closes, s.
+    pub depth: f64,
 }
 
 impl Encounter {
@@ -48,6 +50,7 @@ impl Encounter {
             omega,
             lasts,
             restitution: math::exp(-mu * lasts),
+            depth: math::exp(-mu / omega * math::atan(omega / mu)) / math::hypot(omega, mu),
         })
     }
 

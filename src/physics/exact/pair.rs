@@ -48,6 +48,9 @@ impl<G: Ground> Exact<G> {
         let (high, w, tau) = (self.end[low], self.gaps[i].w, encounter.lasts);
         let (lost, end) = (encounter.lost(w, tau), encounter.at(w, tau));
         self.state.books.ledger.lost.add(lost);
+        self.state
+            .books
+            .measure(std::iter::once(w * encounter.depth));
         for j in low..high {
             self.gaps[j] = brought(self.beside(i, j, tau, w, end), t);
         }

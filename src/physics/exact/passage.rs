@@ -22,6 +22,16 @@ pub(super) fn brought((g, w): (f64, f64), t: f64) -> Gap {
 impl<G: Ground> Exact<G> {
     /// Ends the plan of the cluster that starts at `low`, at its end `t`; what changes.
     pub(super) fn finish(&mut self, low: usize, t: f64) -> Option<(usize, Mode)> {
+        // A contact that goes by itself is deepest within its plan.
+        let alone = match self.plans[low] {
+            Plan::Encounter(i) => Some(i),
+            Plan::Landing => Some(0),
+            _ => None,
+        };
+        if let Some((i, contact)) = alone.and_then(|i| Some((i, self.encounters[i].as_ref()?))) {
+            let deepest = self.gaps[i].w * contact.depth;
+            self.state.books.measure(std::iter::once(deepest));
+        }
         let change = match self.plans[low] {
             Plan::Flight => Some((low, Mode::Pushing)),
             Plan::Series { change, .. } => change,
@@ -35,6 +45,9 @@ impl<G: Ground> Exact<G> {
 
     /// Brings the cluster that starts at `low` to time `t`, before its plan ends or then.
     pub(super) fn bring(&mut self, low: usize, t: f64) {
+        if G::PULLS && low == 0 && self.modes[0] == Mode::Pushing {
+            self.centre = self.centre_at(t);
+        }
         let mut room = std::mem::take(&mut self.room);
         let mut ledger = std::mem::take(&mut self.state.books.ledger);
         self.account(low, t, &mut ledger, &mut room);
@@ -46,11 +59,15 @@ impl<G: Ground> Exact<G> {
             *gap = brought((g, w), t);
         }
         self.room = room;
+        if !matches!(self.plans[low], Plan::Flight) {
+            let Self { state, gaps, .. } = self;
+            state.books.measure(gaps[low..high].iter().map(|gap| gap.g));
+        }
     }
 
     /// How far into its series the cluster that starts at `low` is at `t`, in units of
     /// `h`: to the last bit at its end, whose time is rounded.
-    fn progress(&self, low: usize, t: f64, h: f64, reach: f64) -> f64 {
+    pub(super) fn progress(&self, low: usize, t: f64, h: f64, reach: f64) -> f64 {
         if t >= self.queue.get(low) {
             reach
         } else {
@@ -59,7 +76,7 @@ impl<G: Ground> Exact<G> {
     }
 
     /// The series of the cluster that starts at `low`.
-    fn series(&self, low: usize, h: f64) -> Series<'_> {
+    pub(super) fn series(&self, low: usize, h: f64) -> Series<'_> {
         let lanes = lanes(self.end[low] - low);
         Series::new(&self.coefficients[2 * ROWS * low..], lanes, h)
     }

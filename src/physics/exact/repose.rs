@@ -93,6 +93,11 @@ impl<G: Ground> Exact<G> {
         self.gaps[..=m].iter().fold((0.0, 0.0), add)
     }
 
+    /// Beads in the stack that rests.
+    pub(super) fn beads_at_rest(&self) -> usize {
+        self.repose.resting
+    }
+
     /// The stack that rests, and its rest.
     fn resting(&self) -> (usize, &Stack, &Rest) {
         let m = self.repose.resting;

@@ -138,6 +138,10 @@ impl<M: Mover, L: Law, S: Surface> Engine for Lattice<M, L, S> {
             self.fly(target)?;
             let steps = self.grid.ahead(target, left);
             if steps == 0 {
+                // Who looks now must not see what has blown up since the last inspection.
+                if self.lost_the_energy() {
+                    return Err(self.unstable());
+                }
                 return Ok(self.grid.outcome(target, self.over));
             }
             left -= self.run(steps)?;

@@ -169,6 +169,7 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
         self.mover.clear();
         self.take_rates();
         self.set_quiet();
+        self.measure();
         if self.is_loud() {
             self.busy = self.grid.time();
         }
@@ -179,16 +180,36 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
             return Ok(());
         }
         if !sound || self.lost_the_energy() {
-            return Err(EngineError::Unstable {
-                time: self.grid.time(),
-                steps_per_contact: self.plane.settings.steps_per_contact,
-            });
+            return Err(self.unstable());
         }
         Ok(())
     }
 
+    pub(super) fn unstable(&self) -> EngineError {
+        EngineError::Unstable {
+            time: self.grid.time(),
+            steps_per_contact: self.plane.settings.steps_per_contact,
+        }
+    }
+
+    /// Sees how deep contacts are.
+    fn measure(&mut self) {
+        let (places, sites) = (self.mover.places(), &self.forces.sites);
+        let n = sites.count();
+        let feet = self.forces.list.feet.iter();
+        let on_floor = feet.map(|foot| foot.gap + places[n + foot.i as usize]);
+        let bonds = self.forces.list.bonds.iter().filter(|bond| bond.closed);
+        let between = bonds.map(|bond| {
+            let (i, j) = (bond.i as usize, bond.j as usize);
+            let (dx, dy) = (places[j] - places[i], places[n + j] - places[n + i]);
+            // (r² − d²)/(r + d) of a small overlap.
+            bond.offset.excess_when_moved(dx, dy) / (2.0 * sites.diameter)
+        });
+        self.state.books.measure(on_floor.chain(between));
+    }
+
     /// Whether the ledger shows that the integration blows up.
-    fn lost_the_energy(&self) -> bool {
+    pub(super) fn lost_the_energy(&self) -> bool {
         let energy = self.view(self.mover.places(), &self.rates).energy();
         self.ledger().is_broken(energy, 0.0)
     }

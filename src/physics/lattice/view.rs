@@ -124,8 +124,12 @@ impl View<'_> {
         into.gaps.clear();
         into.contacts.clear();
         into.centre = into.reduced.iter().sum::<f64>() / n as f64;
+        into.centre_velocity = self.centre_velocity().1;
+        into.integrals = None;
         into.energy = ledger.closed(self.energy());
         into.free_flight = books.contacts.free_flight(self.time);
+        into.settled_flight = books.contacts.settled_flight();
+        into.deepest = books.deepest;
         into.bounce = books.bounce.restitution(into.energy.relative);
         into.crossing = books.bounce.crossing();
         into.densest = books.bounce.densest(self.time, f64::INFINITY);

@@ -156,6 +156,10 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for M
             self.fly(target);
             let steps = self.grid.ahead(target, left);
             if steps == 0 {
+                // Who looks now must not see what has blown up since the last inspection.
+                if self.lost_the_energy() {
+                    return Err(self.unstable());
+                }
                 return Ok(self.grid.outcome(target, self.over));
             }
             left -= self.run(steps)?;

@@ -16,6 +16,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         for (i, g) in self.stepper.gaps().enumerate() {
             self.state.books.contacts.note(i, g <= 0.0, time);
         }
+        self.state.books.measure(self.stepper.gaps());
         let floor_is_closed = self.state.books.contacts.closed()[0];
         if floor_is_closed != floor_was_closed {
             let (gaps, rates) = (self.gaps(), self.rates());
@@ -59,6 +60,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         self.stepper.clear();
         self.look_for_flight()?;
         let sound = self.stepper.gaps().sum::<f64>().is_finite();
+        self.state.books.measure(self.stepper.gaps());
         if sound && !self.grid.is_inspected() {
             return Ok(());
         }

@@ -40,7 +40,6 @@ const TOLERANCES: [f64; 2] = [1e-4, 1e-6];
 const STEPS: [f64; 3] = [50.0, 100.0, 200.0];
 
 /// A run, looked at in equal intervals.
-#[derive(Default)]
 struct Run {
     /// Heights of all beads at each look, as long as they are kept.
     path: Vec<f64>,
@@ -177,8 +176,15 @@ fn run(from: Start, scene: &Scene, looks: Looks, most: Duration) -> Result<Run, 
         Start::Exactly => Drive::new(scene, &mut watch),
         Start::OneUlpOff => Drive::of(one_ulp_off(scene, 0), scene, &mut watch),
     };
-    let mut run = Run::default();
-    let followed = follow(&mut drive, scene.n, looks, &mut run);
+    let mut run = Run {
+        path: Vec::new(),
+        means: Means::new(scene, LOOKS),
+        steps: 0,
+        events: 0,
+        seconds: 0.0,
+        end: 0.0,
+    };
+    let followed = follow(&mut drive, scene, looks, &mut run);
     run.seconds = started.elapsed().as_secs_f64();
     match followed {
         Ok(()) => Ok(run),
@@ -186,23 +192,23 @@ fn run(from: Start, scene: &Scene, looks: Looks, most: Duration) -> Result<Run, 
     }
 }
 
-fn follow(drive: &mut Drive, n: usize, looks: Looks, run: &mut Run) -> Result<(), RunError> {
+fn follow(drive: &mut Drive, scene: &Scene, looks: Looks, run: &mut Run) -> Result<(), RunError> {
     let mut seen = Observation::default();
     let interval = looks.period / LOOKS as f64;
     let mut look = 0.0;
-    run.means = Means::new(LOOKS);
     while (look + 1.0) * interval <= looks.duration * (1.0 + 1e-12) {
         look += 1.0;
         let time = look * interval;
         drive.advance(time)?;
         drive.observe(&mut seen);
-        if run.path.len() + n <= MOST_NUMBERS {
+        if run.path.len() + scene.n <= MOST_NUMBERS {
             let late = time - seen.time;
             let place = |(z, v): (&f64, &f64)| z + late * v;
             run.path
                 .extend(seen.reduced.iter().zip(&seen.velocities).map(place));
         }
-        if time > SETTLING * looks.duration {
+        // From the look at the settling's end on, which rounding must not lose.
+        if time >= SETTLING * looks.duration * (1.0 - 1e-12) {
             run.means.look(&seen);
         }
     }

@@ -172,17 +172,17 @@ impl Probe {
     pub fn new(scene: Scene, contact_time: Option<f64>) -> Self {
         Self {
             contact_time,
+            means: Means::new(&scene, LOOKS),
             scene,
             outcome: Outcome::Unseen,
             engine: None,
-            means: Means::new(LOOKS),
             looks: 0.0,
         }
     }
 
     /// Periods that a shaken column was followed.
     pub fn periods(&self) -> usize {
-        self.means.periods()
+        self.means.blocks()
     }
 
     /// Looks at the scene until `end` at most; at a shaken column for so many periods
@@ -205,7 +205,11 @@ impl Probe {
         let mut drive = Drive::of(engine, &self.scene, &mut watch);
         let mut seen = Observation::default();
         let mut followed = Ok(());
-        while self.means.periods() < periods {
+        if self.looks == 0.0 {
+            drive.observe(&mut seen);
+            self.means.look(&seen);
+        }
+        while self.means.blocks() < periods {
             if let Err(error) = drive.advance((self.looks + 1.0) * interval) {
                 followed = Err(error);
                 break;
@@ -310,10 +314,6 @@ impl Probe {
 /// The standard error of a mean; or, where a column still remembers its start, half of
 /// what the halves of its periods differ by, if that is more.
 fn error_of(mean: Mean, one: Option<Mean>, other: Option<Mean>) -> f64 {
-    // A share of 0 is 0.
-    if mean.value == 0.0 && mean.error.is_none() {
-        return 0.0;
-    }
     let apart = one.zip(other).map(|(a, b)| 0.5 * (a.value - b.value).abs());
     let both = mean.error.zip(apart);
     both.map_or(f64::INFINITY, |(error, apart)| error.max(apart))

@@ -18,6 +18,7 @@
 //!
 //! an exponent of −1/2 for every ε. What the ends add falls as N^(−1/2) beside the loss.
 
+use crate::math;
 use super::bench::Bench;
 use super::columns::{eps, run, scene};
 use super::{Claim, FigureError, Sheet};
@@ -35,19 +36,19 @@ const PRINTED: f64 = -0.315;
 
 /// ln ε/π, without its sign: μ/ω.
 fn damping(restitution: f64) -> f64 {
-    -restitution.ln() / PI
+    -math::ln(restitution) / PI
 }
 
 /// 1 − ε_eff of a long column.
 fn loss(restitution: f64, n: u64) -> f64 {
     let damping = damping(restitution);
-    let part = damping / damping.hypot(1.0);
+    let part = damping / math::hypot(damping, 1.0);
     (2.0 * SQRT_2 * part / (PI * n as f64)).sqrt()
 }
 
 /// t_k/(N t_c) of a long column.
 fn duration(restitution: f64) -> f64 {
-    2.0 * SQRT_2 / (PI * damping(restitution).hypot(1.0))
+    2.0 * SQRT_2 / (PI * math::hypot(damping(restitution), 1.0))
 }
 
 /// What 1 − ε_eff comes to, for Fig. 2(b), from two lengths.
@@ -89,7 +90,7 @@ pub(super) fn losses(bench: &mut Bench, speed: f64, sheet: &mut Sheet) -> Result
         lengths[1],
         parts.join(", ")
     ));
-    let slope = (of((WEAK, long)) / of((WEAK, short))).ln() / (long as f64 / short as f64).ln();
+    let slope = math::ln(of((WEAK, long)) / of((WEAK, short))) / math::ln(long as f64 / short as f64);
     sheet.claims.push(
         Claim::off(
             format!("slope, eps {WEAK}, N {short} to {long}"),

@@ -27,6 +27,7 @@
 
 mod theory;
 
+use crate::math;
 use super::bench::Bench;
 use super::landings::{Landings, dense_share};
 use super::runs::{largest, looks, preset, smallest};
@@ -248,7 +249,7 @@ impl Study {
             all.filter(|(time, _)| *time < SHORT).collect()
         };
         let power = |law: usize| {
-            let logs: Vec<_> = short(law).iter().map(|(t, s)| (t.ln(), s.ln())).collect();
+            let logs: Vec<_> = short(law).iter().map(|(t, s)| (math::ln(*t), math::ln(*s))).collect();
             slope(&logs).unwrap_or(f64::NAN)
         };
         let off = short(HOOKE);

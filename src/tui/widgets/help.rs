@@ -50,7 +50,7 @@ const TERMS: &[(&str, &str)] = &[
     ),
     (
         "drift",
-        "change of the energy ledger, relative to its largest term: the run's own estimate of its error.",
+        "change of the energy ledger, relative to its largest term: it checks the books; a grid is off by far more (x).",
     ),
     (
         "Gear Verlet",

@@ -143,7 +143,7 @@ fn of_one(name: &str, setting: &str, run: &Run, truth: Option<&Run>) -> Vec<Cell
         share.map(|mean| mean.value).into(),
         share.and_then(|mean| mean.error).into(),
         off(share, true_share).into(),
-        (run.means.periods() as u64).into(),
+        (run.means.blocks() as u64).into(),
     ]
 }
 

@@ -1,5 +1,6 @@
 //! How dense a column lands that took off from rest, by theory.
 
+use crate::math;
 use crate::scene::{Scene, angular};
 use std::f64::consts::PI;
 
@@ -10,10 +11,10 @@ fn flight(scene: &Scene) -> Option<(f64, f64)> {
     let omega = angular(1.0 / period);
     let amplitude = alpha * gravity / (omega * omega);
     // It takes off where the plate falls away with g, and meets it again once.
-    let phase = (1.0 / alpha).asin();
+    let phase = math::asin(1.0 / alpha);
     let rise = |t: f64| {
-        let plate = amplitude * ((phase + omega * t).sin() - phase.sin());
-        amplitude * omega * phase.cos() * t - 0.5 * gravity * t * t - plate
+        let plate = amplitude * (math::sin(phase + omega * t) - math::sin(phase));
+        amplitude * omega * math::cos(phase) * t - 0.5 * gravity * t * t - plate
     };
     // Long past the start, where the height is of third order, and before the landing.
     let (mut before, mut after) = (0.25 * period, 2.0 * alpha * period);
@@ -28,8 +29,8 @@ fn flight(scene: &Scene) -> Option<(f64, f64)> {
             after = middle;
         }
     }
-    let plate = amplitude * omega * (phase + omega * before).cos();
-    let body = amplitude * omega * phase.cos() - gravity * before;
+    let plate = amplitude * omega * math::cos(phase + omega * before);
+    let body = amplitude * omega * math::cos(phase) - gravity * before;
     Some((before, plate - body))
 }
 
@@ -40,7 +41,7 @@ pub(super) fn density(scene: &Scene) -> f64 {
         let (flight, speed) = flight(scene)?;
         let rate = gravity * angular(1.0 / period) * (alpha * alpha - 1.0).sqrt();
         // (ω_0 t_c)².
-        let angle = PI * PI + scene.restitution.ln().powi(2);
+        let angle = PI * PI + math::powi(math::ln(scene.restitution), 2);
         Some(scene.n as f64 * rate * flight / (angle * speed))
     };
     density().unwrap_or(f64::NAN)

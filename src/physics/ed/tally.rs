@@ -1,0 +1,199 @@
+//! Integrals over time of the column's height and energies, in closed form.
+//!
+//! Collisions between beads move neither the centre of mass nor its velocity: all that
+//! flies does so as one body, whose E_r falls by what collisions lose; what rides the
+//! floor is a second body. So there is next to nothing to do but where the floor acts.
+
+use super::{Ed, Rule};
+use crate::physics::flight::Ground;
+use crate::physics::ledger::Sum;
+use crate::physics::observation::{Energies, Integrals};
+use crate::physics::plate::Plate;
+
+/// The column as two bodies, at a time, and the integrals up to there.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Tally {
+    /// When, s from the epoch.
+    t: f64,
+    /// Mass of the beads in flight, and of those that ride the floor.
+    flying: f64,
+    riding: f64,
+    /// Σ m z and Σ m v of the beads in flight.
+    moment: f64,
+    momentum: f64,
+    /// Their E_r about their own centre of mass, since when it is so, and its integral
+    /// since `t`.
+    relative: f64,
+    since: f64,
+    warmth: f64,
+    /// What the ledger had as lost then.
+    lost: f64,
+    /// Whether the two bodies have to be weighed again.
+    stale: bool,
+    height: Sum,
+    squares: Sum,
+    heat: Sum,
+}
+
+impl Tally {
+    /// The integrals of Σ m z, of (Σ m v)² and of E_r over `tau` s from `t` on, `plate`
+    /// being the floor at `t`.
+    fn ahead(&self, tau: f64, gravity: f64, plate: Plate) -> [f64; 3] {
+        let Self {
+            flying,
+            riding,
+            momentum,
+            ..
+        } = *self;
+        let fall = gravity * tau;
+        let height = tau * (self.moment + tau * (0.5 * momentum - flying * fall / 6.0));
+        let warmth = self.warmth + self.relative * (self.t + tau - self.since);
+        let speed = if flying > 0.0 { momentum / flying } else { 0.0 };
+        let flown = tau * (speed * (speed - fall) + fall * fall / 3.0);
+        if riding == 0.0 {
+            return [height, flying * flying * flown, warmth];
+        }
+        let (ride, ridden) = plate.swept(tau);
+        // ∫ v ż₀ dt of both bodies' velocities, by parts.
+        let start = plate.position();
+        let risen = plate.later(tau).position() - start;
+        let mixed = (speed - fall) * risen + gravity * (ride - start * tau);
+        let squares = flying * (flying * flown + 2.0 * riding * mixed) + riding * riding * ridden;
+        let apart = flying * riding / (flying + riding) * (flown - 2.0 * mixed + ridden);
+        [
+            height + riding * ride,
+            squares,
+            warmth + 0.5 * apart.max(0.0),
+        ]
+    }
+
+    /// Collisions have lost so much in all, up to `t`.
+    #[inline]
+    fn loses(&mut self, lost: f64, t: f64) {
+        self.warmth += self.relative * (t - self.since);
+        self.since = t;
+        self.relative -= lost - self.lost;
+        self.lost = lost;
+    }
+}
+
+impl<G: Ground, R: Rule> Ed<G, R> {
+    /// Enters the integrals up to `t`, and moves both bodies there.
+    pub(super) fn settle_tally(&mut self, t: f64) {
+        if t == self.tally.t {
+            return;
+        }
+        let plate = self.ground.plate(self.tally.t);
+        let tally = &mut self.tally;
+        let tau = t - tally.t;
+        let [height, squares, heat] = tally.ahead(tau, self.gravity, plate);
+        tally.height.add(height);
+        tally.squares.add(squares);
+        tally.heat.add(heat);
+        tally.warmth = 0.0;
+        (tally.t, tally.since) = (t, t);
+        let fall = self.gravity * tau;
+        tally.moment += tau * (tally.momentum - 0.5 * tally.flying * fall);
+        tally.momentum -= tally.flying * fall;
+    }
+
+    /// The floor gives the column an impulse at `t`; only a moving one does work with it.
+    pub(super) fn floor_acts(&mut self, impulse: f64, t: f64) {
+        let mut work = 0.0;
+        if G::MOVES {
+            work = impulse * self.ground.plate(t).velocity();
+            self.state.books.ledger.plate_work.add(work);
+        }
+        if !G::PULLS {
+            return;
+        }
+        self.settle_tally(t);
+        let tally = &mut self.tally;
+        if tally.riding > 0.0 {
+            tally.stale = true;
+            return;
+        }
+        // What the work does not give the centre of mass is E_r's; losses follow.
+        let of_centre = impulse * (tally.momentum + 0.5 * impulse) / tally.flying;
+        tally.relative += work - of_centre;
+        tally.momentum += impulse;
+    }
+
+    /// Other beads ride the floor from `t` on.
+    pub(super) fn riders_change(&mut self, t: f64) {
+        if G::PULLS {
+            self.settle_tally(t);
+            self.tally.stale = true;
+        }
+    }
+
+    /// The epoch has moved on; rounding errors end with it.
+    pub(super) fn shift_tally(&mut self, by: f64) {
+        self.tally.t -= by;
+        self.tally.since -= by;
+        self.tally.stale = true;
+    }
+
+    /// After every event: what it lost, and what rides now.
+    #[inline]
+    pub(super) fn keep_tally(&mut self) {
+        if !G::PULLS {
+            return;
+        }
+        let lost = self.state.books.ledger.lost.total();
+        self.tally.loses(lost, self.now);
+        if self.tally.stale {
+            self.settle_tally(self.now);
+            self.weigh();
+        }
+    }
+
+    /// Weighs both bodies anew, now.
+    pub(super) fn weigh(&mut self) {
+        let t = self.now;
+        let plate = self.ground.plate(t);
+        let (mut z, mut v) = (plate.position(), plate.velocity());
+        let (mut mass, mut moment, mut mean, mut squares) = (0.0, 0.0, 0.0, 0.0);
+        for (i, m) in self.masses.iter().enumerate() {
+            let (g, w) = self.at(i, t);
+            z += g;
+            v += w;
+            if i >= self.stack {
+                mass += m;
+                moment += m * z;
+                // About the mean so far: beads of one velocity have no E_r.
+                let off = v - mean;
+                mean += off * m / mass;
+                squares += m * off * (v - mean);
+            }
+        }
+        self.tally = Tally {
+            t,
+            flying: mass,
+            riding: self.stack_mass(),
+            moment,
+            momentum: mass * mean,
+            relative: 0.5 * squares,
+            since: t,
+            warmth: 0.0,
+            lost: self.state.books.ledger.lost.total(),
+            stale: false,
+            ..self.tally
+        };
+    }
+
+    /// The integrals since the start, up to now; none without gravity.
+    pub(super) fn integrals(&self) -> Option<Integrals> {
+        let tally = &self.tally;
+        let plate = self.ground.plate(tally.t);
+        let [height, squares, heat] = tally.ahead(self.now - tally.t, self.gravity, plate);
+        let mass = tally.flying + tally.riding;
+        G::PULLS.then(|| Integrals {
+            height: tally.height.with(height) / mass,
+            energies: Some(Energies {
+                squares: tally.squares.with(squares) / (mass * mass),
+                relative: tally.heat.with(heat),
+            }),
+        })
+    }
+}
