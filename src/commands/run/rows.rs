@@ -4,7 +4,9 @@ use super::report::{Cell, Report, Row};
 use crate::commands::{Failure, note};
 use crate::physics;
 use crate::scene::{Arrangement, Law, Preset, Scene, Start};
+use crate::study::verdict::{Verdict, verdict};
 use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch, at_the_end, is_cheap};
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 /// A ledger that is off by more belongs to a run that has lost its physics.
@@ -35,9 +37,13 @@ pub(super) fn measure(
             100.0 * results.energy_drift.abs()
         ));
     }
+    // Its runs are others, of other lengths: they are no part of the progress.
+    let judged = verdict(scene, &mut |_| ControlFlow::Continue(()))?;
+    let mut rows = rows(preset, &results, &sensitivity, wall_time);
+    rows.extend(of_the_verdict(judged));
     let report = Report {
         title: preset.title.clone(),
-        rows: rows(preset, &results, &sensitivity, wall_time),
+        rows,
         wall_time,
     };
     report.check()?;
@@ -183,6 +189,21 @@ fn of_the_lattice(scene: &Scene) -> Vec<Row> {
             "1/s",
             "D_t, across contacts",
         ),
+    ]
+}
+
+/// The verdict on soft contacts, and why; only why where there is none.
+fn of_the_verdict(judged: Verdict) -> [Row; 2] {
+    let word = judged.word.map(|word| Cell::Word(word.as_str().to_owned()));
+    let why = Some(Cell::Word(judged.because));
+    [
+        Row::new(
+            "verdict",
+            word,
+            "",
+            "on soft contacts, against hard spheres",
+        ),
+        Row::new("verdict_why", why, "", ""),
     ]
 }
 
