@@ -7,7 +7,8 @@
 //!
 //! What is compared is ε_eff of a floor collision without gravity, and the part of its
 //! energy that is lost (near ε_eff = 1 the first hardly shows it); of a column that falls
-//! on a floor at rest ε_eff of its last bounce, when both have come to rest; on a plate
+//! on a floor at rest ε_eff of its last bounce, when both have come to rest (its beads
+//! touch then, and σ → 0 at any t_c: soft beads hardly lose what is left); on a plate
 //! mean E_r over mean E (the measure of the effect: a column that loses too little is
 //! torn apart), and the mean rise of the centre of mass. With the difference
 //! δ = |a − b|/max(a, b, least), `least` being below what a person would see:
@@ -23,6 +24,8 @@
 //! twenty or more has σ < 1.
 
 mod column;
+#[cfg(test)]
+mod tests;
 mod twins;
 
 use super::means::Mean;
@@ -100,7 +103,7 @@ pub struct Verdict {
     pub word: Option<Word>,
     /// Why, in a sentence with the numbers.
     pub because: String,
-    /// What decides, where columns were compared.
+    /// What parts the columns most, for sure, where they were compared in motion.
     pub decisive: Option<Quantity>,
 }
 
@@ -213,7 +216,7 @@ impl Verdict {
         let head = if word.is_none() { "not decided: " } else { "" };
         let worst = quantities
             .iter()
-            .max_by(|a, b| a.off().0.total_cmp(&b.off().0));
+            .max_by(|a, b| a.at_least(SURE).total_cmp(&b.at_least(SURE)));
         Self {
             word,
             because: format!("{head}{} of hard spheres{more}", told.join(", ")),

@@ -9,7 +9,7 @@ use crate::study::{Allowance, Drive, RunError, Watch, measure};
 use std::ops::Range;
 
 /// Work for a column: a second on an ordinary machine, if it takes so long to decide.
-const SLICES: u64 = 100;
+pub(super) const SLICES: u64 = 100;
 
 /// Looks at beads that are as much work as a slice.
 const LOOKS_AT_BEADS: f64 = 1e5;
@@ -45,12 +45,14 @@ pub(super) struct Column {
     means: Means,
     looks: f64,
     landings: Vec<Landings>,
-    /// Slices of work so far.
+    /// Slices of work so far, and allowed.
     work: f64,
+    allowed: u64,
 }
 
 impl Column {
-    pub fn new(scene: Scene, whose: &'static str) -> Self {
+    /// A column of beads that are called so, and the slices of work that it may take.
+    pub fn new(scene: Scene, whose: &'static str, allowed: u64) -> Self {
         Self {
             engine: Some(build(&scene, None).0),
             scene,
@@ -60,12 +62,13 @@ impl Column {
             looks: 0.0,
             landings: Vec::new(),
             work: 0.0,
+            allowed,
         }
     }
 
     /// Whether it has had all the work that it may have.
     pub fn is_spent(&self) -> bool {
-        self.work >= SLICES as f64
+        self.work >= self.allowed as f64
     }
 
     /// What `work` gives with the column's engine on a drive of what work is left, while
@@ -84,7 +87,7 @@ impl Column {
         let engine = self.engine.take();
         let engine = engine.unwrap_or_else(|| build(&self.scene, None).0);
         let allowance = Allowance {
-            slices: SLICES,
+            slices: self.allowed,
             end: None,
         };
         let mut drive = Drive::of(engine, &self.scene, &mut look).within(allowance);
@@ -209,7 +212,7 @@ impl Column {
     /// What its landings are like.
     pub fn told(&self) -> String {
         let (dense, all) = self.landings();
-        if all == 0 {
+        if all < LANDINGS {
             return String::new();
         }
         let percent = significant(100.0 * dense as f64 / all as f64, 2);

@@ -1,6 +1,6 @@
 //! The scene's soft column and the same column of hard spheres, side by side.
 
-use super::column::{Column, Missing};
+use super::column::{Column, Missing, SLICES};
 use super::{LIKELY, Quantity, SURE, Verdict, decide};
 use crate::scene::{CollisionRule, Facts, Floor, Method, MethodName, Scene, SceneError};
 use crate::study::{RunError, Watch};
@@ -26,7 +26,7 @@ pub fn verdict(scene: &Scene, watch: &mut Watch) -> Result<Verdict, RunError> {
         let why = "there are no hard discs to compare a lattice with";
         return Ok(Verdict::by_sigma0(scene, why));
     }
-    let mut columns = match columns(scene) {
+    let mut columns = match columns(scene, SLICES) {
         Ok(columns) => columns,
         Err(error) => return Ok(Verdict::by_sigma0(scene, &error.to_string())),
     };
@@ -47,7 +47,7 @@ pub fn verdict(scene: &Scene, watch: &mut Watch) -> Result<Verdict, RunError> {
 
 /// The soft column under the exact method (hard spheres with the TC rule stay what they
 /// are), and the same column of plain hard spheres; however short the scene's own run.
-fn columns(scene: &Scene) -> Result<[Column; 2], SceneError> {
+pub(super) fn columns(scene: &Scene, allowed: u64) -> Result<[Column; 2], SceneError> {
     let soft = if scene.is_md() {
         scene.with_method(MethodName::Exact)?
     } else {
@@ -60,8 +60,8 @@ fn columns(scene: &Scene) -> Result<[Column; 2], SceneError> {
         ..scene.facts().clone()
     };
     Ok([
-        Column::new(soft, "soft contacts"),
-        Column::new(Scene::new(hard)?, "hard spheres"),
+        Column::new(soft, "soft contacts", allowed),
+        Column::new(Scene::new(hard)?, "hard spheres", allowed),
     ])
 }
 
@@ -82,7 +82,12 @@ fn launched(
 fn falling([soft, hard]: &mut [Column; 2], watch: &mut Watch) -> Result<Verdict, Missing> {
     let found = [soft.settle(watch)?, hard.settle(watch)?];
     let compared = [Quantity::eps_eff("eps_eff of the last bounce", found)];
-    Ok(Verdict::of(&compared, decide(&compared, SURE), ""))
+    let more = "; the beads touch in the end, where sigma -> 0 at any t_c";
+    Ok(Verdict {
+        // The bounce of a moment, and of a chaotic motion.
+        decisive: None,
+        ..Verdict::of(&compared, decide(&compared, SURE), more)
+    })
 }
 
 /// A column on a plate: means over ever more periods, until they decide or the work is
