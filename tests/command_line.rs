@@ -36,6 +36,8 @@ const FIELDS: [&str; 27] = [
     "events",
     "steps",
     "sim_time",
+    "verdict",
+    "verdict_why",
     "wall_time",
     "speed",
 ];
@@ -74,6 +76,7 @@ fn json_has_what_the_scene_has_and_nothing_else() {
                 "h_cm_mean",
                 "sigma",
                 "steps",
+                "verdict",
             ],
         ),
         (
@@ -268,7 +271,7 @@ fn csv_without_an_interval_is_one_row_of_the_same_fields() {
     let (header, rows) = table(&printed(&["run", "fig1e", "--format", "csv"]));
     assert_eq!(
         header,
-        FIELDS[..25],
+        FIELDS[..27],
         "wall_time and speed measure the machine"
     );
     assert_eq!(rows.len(), 1);

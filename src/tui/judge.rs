@@ -1,14 +1,19 @@
-//! The thread that judges the scenes on the bench, which takes up to some seconds.
+//! The thread that judges the scenes on the bench, which takes up to some seconds. It
+//! rests as often as it works, so that the columns on the screen go on.
 
 use std::io;
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::thread;
+use std::time::{Duration, Instant};
 
 use crossbeam_channel::{Receiver, Sender, unbounded};
 
 use crate::scene::Scene;
 use crate::study::verdict::{Verdict, verdict};
+
+/// It works for about so long, and then rests as long.
+const TURN: Duration = Duration::from_millis(4);
 
 /// The ends of its channels that the screen holds. Dropping `scenes` ends the thread.
 pub struct Judge {
@@ -34,7 +39,12 @@ pub fn spawn() -> io::Result<Judge> {
 fn run(inbox: &Receiver<Scene>, outlet: &Sender<(Scene, Verdict)>) {
     while let Ok(scene) = inbox.recv() {
         let scene = inbox.try_iter().last().unwrap_or(scene);
+        let mut since = Instant::now();
         let mut watch = |_| {
+            if since.elapsed() > TURN {
+                thread::sleep(since.elapsed());
+                since = Instant::now();
+            }
             if inbox.is_empty() {
                 ControlFlow::Continue(())
             } else {
