@@ -10,7 +10,7 @@ use std::process::{Command, Output, Stdio};
 use program::{beadlab, failed, json, printed, table};
 
 /// The names of DESIGN, in its order.
-const FIELDS: [&str; 27] = [
+const FIELDS: [&str; 29] = [
     "preset",
     "method",
     "law",
