@@ -17,6 +17,7 @@ pub mod stability;
 pub mod sweep;
 pub mod table;
 mod vary;
+pub mod verdict;
 
 pub use drive::{Allowance, Drive, RunError, SLICE, Watch, in_time, natural_time};
 pub use measure::{Results, measure};

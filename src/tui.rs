@@ -6,6 +6,7 @@
 
 pub mod event_loop;
 mod guard;
+pub mod judge;
 pub mod keys;
 mod layout;
 pub mod link;
@@ -75,6 +76,7 @@ pub fn run(
     let size = crossterm::terminal::size().map_err(cannot("learn the terminal's size"))?;
     let (mut model, start) = Model::new(preset, speed, theme, size)?;
     let live = live::spawn(build).map_err(cannot("start the simulation thread"))?;
+    let judge = judge::spawn().map_err(cannot("start the judging thread"))?;
     let signals = signals::watch().map_err(cannot("watch signals"))?;
     guard::hook_panics();
     let guard = Guard::take().map_err(cannot("take the terminal"))?;
@@ -86,6 +88,7 @@ pub fn run(
         input,
         signals,
         live,
+        judge,
     };
     let writer = guard::terminal().map_err(cannot("write to the terminal"))?;
     let (mut link, writer) = Link::new(writer, Instant::now());

@@ -10,7 +10,7 @@ use std::process::{Command, Output, Stdio};
 use program::{beadlab, failed, json, printed, table};
 
 /// The names of DESIGN, in its order.
-const FIELDS: [&str; 37] = [
+const FIELDS: [&str; 39] = [
     "preset",
     "method",
     "law",
@@ -46,6 +46,8 @@ const FIELDS: [&str; 37] = [
     "events",
     "steps",
     "sim_time",
+    "verdict",
+    "verdict_why",
     "wall_time",
     "speed",
 ];
@@ -84,6 +86,7 @@ fn json_has_what_the_scene_has_and_nothing_else() {
                 "h_cm_mean",
                 "sigma",
                 "steps",
+                "verdict",
             ],
         ),
         (
@@ -287,7 +290,7 @@ fn csv_without_an_interval_is_one_row_of_the_same_fields() {
     let (header, rows) = table(&printed(&["run", "fig1e", "--format", "csv"]));
     assert_eq!(
         header,
-        FIELDS[..35],
+        FIELDS[..37],
         "wall_time and speed measure the machine"
     );
     assert_eq!(rows.len(), 1);

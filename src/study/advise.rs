@@ -17,9 +17,11 @@ pub use search::Standing;
 
 use super::plot::Plot;
 use super::table::Table;
+use super::verdict::verdict;
 use super::{RunError, Tell};
 use crate::scene::preset::Preset;
 use crate::scene::{Scene, SceneError};
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 /// What a soft column is compared with.
@@ -147,8 +149,12 @@ pub fn common_tolerance(scene: &Scene) -> f64 {
 pub fn advise(preset: &Preset, question: Question, tell: &mut Tell) -> Result<Advice, AdviseError> {
     let family = family::Family::of(preset)?;
     let search = search::Search::run(&family, question, tell)?;
+    let judged =
+        verdict(&preset.scene, &mut |_| ControlFlow::Continue(())).map_err(AdviseError::Limit)?;
     let cost = search
         .longest()
         .map(|probe| cost::costs(&probe.scene, &preset.scene, search.kind, question, tell));
-    Ok(answer::advice(&search, &family, preset, question, cost))
+    Ok(answer::advice(
+        &search, &family, preset, question, cost, &judged,
+    ))
 }

@@ -124,6 +124,11 @@ impl<'a> Drive<'a> {
         self.spent
     }
 
+    /// Slices that so many steps or events are.
+    pub fn in_slices(&self, count: u64) -> f64 {
+        count as f64 / self.slice as f64
+    }
+
     /// Moves on to `until`, s.
     ///
     /// # Errors

@@ -10,12 +10,15 @@ use ratatui::Terminal;
 use ratatui::backend::Backend;
 use ratatui::layout::Rect;
 
+use super::judge::Judge;
 use super::link::Link;
 use super::model::Model;
 use super::signals::{HANGUP, Signal};
 use super::update::{Command, Msg, update};
 use super::view::view;
 use crate::live::{Frame, Live, Order};
+use crate::scene::Scene;
+use crate::study::verdict::Verdict;
 
 /// Everything that the loop hears and speaks to.
 pub struct Wires {
@@ -25,6 +28,8 @@ pub struct Wires {
     pub signals: Receiver<Signal>,
     /// The simulation thread.
     pub live: Live,
+    /// The thread that judges scenes.
+    pub judge: Judge,
 }
 
 /// What the loop asks of the real terminal; a test's does nothing.
@@ -56,6 +61,8 @@ enum Wake {
     Signal(Signal),
     Frame(Box<Frame>),
     FramesClosed,
+    Verdict(Box<(Scene, Verdict)>),
+    VerdictsClosed,
     Timer,
 }
 
@@ -83,13 +90,14 @@ impl<B: Backend> EventLoop<'_, B> {
     /// When the terminal cannot be drawn to.
     pub fn run(&mut self) -> Result<Ending, B::Error> {
         let mut changed = true;
-        let mut frames_open = true;
+        let (mut frames_open, mut verdicts_open) = (true, true);
         loop {
             if changed && Instant::now() >= self.link.next() {
                 self.draw()?;
                 changed = false;
             }
-            let wake = self.wait(frames_open);
+            self.ask_for_verdict();
+            let wake = self.wait(frames_open, verdicts_open);
             changed |= !matches!(wake, Wake::Timer);
             let command = match wake {
                 Wake::Timer => None,
@@ -106,6 +114,11 @@ impl<B: Backend> EventLoop<'_, B> {
                     None
                 }
                 Wake::Frame(frame) => update(self.model, Msg::Frame(frame), Instant::now()),
+                Wake::Verdict(judged) => update(self.model, Msg::Verdict(judged), Instant::now()),
+                Wake::VerdictsClosed => {
+                    verdicts_open = false;
+                    None
+                }
                 Wake::FramesClosed => {
                     frames_open = false;
                     update(self.model, Msg::SimulationEnded, Instant::now())
@@ -118,9 +131,17 @@ impl<B: Backend> EventLoop<'_, B> {
         }
     }
 
+    /// Has the scene judged that is on the bench now.
+    fn ask_for_verdict(&mut self) {
+        if let Some(scene) = self.model.unjudged() {
+            // Without its thread there is no verdict, and all else goes on.
+            let _ = self.wires.judge.scenes.send(scene);
+        }
+    }
+
     /// Waits for something to happen. Frames are fetched only when they can be drawn:
     /// until then they give way to newer ones.
-    fn wait(&self, frames_open: bool) -> Wake {
+    fn wait(&self, frames_open: bool, verdicts_open: bool) -> Wake {
         let pause = self.link.next().saturating_duration_since(Instant::now());
         let timer = match (pause.is_zero(), self.pending.is_empty()) {
             (true, true) => never(),
@@ -133,10 +154,17 @@ impl<B: Backend> EventLoop<'_, B> {
         } else {
             &no_frames
         };
+        let no_verdicts = never();
+        let verdicts = if verdicts_open {
+            &self.wires.judge.verdicts
+        } else {
+            &no_verdicts
+        };
         select! {
             recv(self.wires.input) -> event => event.map_or(Wake::InputClosed, Wake::Input),
             recv(self.wires.signals) -> signal => signal.map_or(Wake::Timer, Wake::Signal),
             recv(frames) -> frame => frame.map_or(Wake::FramesClosed, |frame| Wake::Frame(Box::new(frame))),
+            recv(verdicts) -> judged => judged.map_or(Wake::VerdictsClosed, |judged| Wake::Verdict(Box::new(judged))),
             recv(timer) -> _ => Wake::Timer,
         }
     }

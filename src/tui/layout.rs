@@ -7,7 +7,7 @@
 //!  axis  trace                  column  │ trace                   column
 //!        time                   scale   │ time                    scale
 //!  ── E ───────┬─ E_r/E ──────┬─ σ ─────┴────┬─ parameters ────────────
-//!  history     │ history      │ regime       │ name   value        keys
+//!  history     │ history      │ verdict      │ name   value        keys
 //!  numbers     │ numbers      │ ε_eff        │ name   value        keys
 //!  ── shaken: on tall screens, what is to be seen ──────────────────────
 //!  caption, what to look for, what to try next
@@ -83,7 +83,7 @@ pub struct Panels {
     pub relative: Rect,
     /// History of errors; empty on narrow screens, and when not asked for.
     pub errors: Rect,
-    /// σ, its regime, ε_eff.
+    /// σ, the verdict, ε_eff.
     pub sigma: Rect,
     /// The parameters.
     pub parameters: Rect,

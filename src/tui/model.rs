@@ -19,6 +19,7 @@ use super::layout::{self, Contents, Lattice};
 use super::theme::Theme;
 use crate::live::{Accuracy, Frame, History, Order, Side, Status, Sweep};
 use crate::scene::{Preset, Scene};
+use crate::study::verdict::Verdict;
 
 /// Numbers are written this often: five times a second is read better than thirty.
 const NUMBERS: Duration = Duration::from_millis(200);
@@ -103,6 +104,8 @@ pub struct Model {
     pub column: Glimpse,
     /// The selected row of the parameter panel.
     pub selected: usize,
+    /// The scene that was last asked to be judged, and its verdict when it is there.
+    judged: Option<(Scene, Option<Verdict>)>,
     /// What lies over the main screen.
     pub overlay: Overlay,
     /// The line of the moment.
@@ -134,6 +137,7 @@ impl Model {
         let model = Model {
             page: Page::new(sweep, bench.scenes()),
             selected: first_row(&bench),
+            judged: None,
             preset,
             bench,
             speed,
@@ -244,6 +248,37 @@ impl Model {
         let discs = layout::layout(self.size, self.contents()).discs;
         let larger = f64::from(discs.area()) / f64::from(FEW_CELLS);
         COLUMN.mul_f64(larger.sqrt().max(1.0))
+    }
+
+    /// The scene to be judged: the soft one where there is one, if it was not asked for.
+    pub(super) fn unjudged(&mut self) -> Option<Scene> {
+        let scene = &self.bench.scenes()[0];
+        if self
+            .judged
+            .as_ref()
+            .is_some_and(|(asked, _)| asked == scene)
+        {
+            return None;
+        }
+        self.judged = Some((scene.clone(), None));
+        Some(scene.clone())
+    }
+
+    /// Takes the verdict on a scene, if that is still asked for.
+    pub(super) fn take_verdict(&mut self, (scene, verdict): (Scene, Verdict)) {
+        if let Some((asked, judged)) = &mut self.judged
+            && *asked == scene
+        {
+            *judged = Some(verdict);
+        }
+    }
+
+    /// The verdict on the scene on the bench, when it is there.
+    pub fn verdict(&self) -> Option<&Verdict> {
+        let (asked, verdict) = self.judged.as_ref()?;
+        verdict
+            .as_ref()
+            .filter(|_| *asked == self.bench.scenes()[0])
     }
 
     /// Shows a line for a while.

@@ -9,6 +9,7 @@ use super::model::{Change, Menu, Model, Overlay, Prompt, Speed};
 use crate::live::{Frame, Order};
 use crate::scene::parameters::{self, Parameter, Value};
 use crate::scene::{Law, Scene};
+use crate::study::verdict::Verdict;
 
 /// What happens.
 #[derive(Debug)]
@@ -19,6 +20,8 @@ pub enum Msg {
     Paste(String),
     /// The simulation thread shows itself.
     Frame(Box<Frame>),
+    /// A scene is judged.
+    Verdict(Box<(Scene, Verdict)>),
     /// The screen has another size.
     Resize(u16, u16),
     /// The simulation thread is gone.
@@ -53,6 +56,10 @@ pub fn update(model: &mut Model, msg: Msg, now: Instant) -> Option<Command> {
             if let Overlay::Prompt(prompt) = &mut model.overlay {
                 text.chars().for_each(|c| prompt.push(c));
             }
+            None
+        }
+        Msg::Verdict(judged) => {
+            model.take_verdict(*judged);
             None
         }
         Msg::Frame(frame) => model.show(*frame, now).map(Command::Order),

@@ -10,6 +10,7 @@ use beadlab::live::{self, Build, Frame, Live, Order, Sweep};
 use beadlab::physics::{self, Engine, EngineError, Handover, Observation, Outcome, State};
 use beadlab::scene::{Preset, Scene};
 use beadlab::tui::event_loop::{Ending, EventLoop, Stage, Wires};
+use beadlab::tui::judge;
 use beadlab::tui::link::Link;
 use beadlab::tui::model::Model;
 use beadlab::tui::theme::Theme;
@@ -93,6 +94,7 @@ pub fn play_preset(
         input,
         signals,
         live,
+        judge: judge::spawn().expect("threads are to be had"),
     };
     let typist = thread::spawn(move || run_script(&keys, script));
     let ended = EventLoop {

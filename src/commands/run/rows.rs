@@ -4,7 +4,9 @@ use super::report::{Cell, Report, Row};
 use crate::commands::{Failure, note};
 use crate::physics;
 use crate::scene::{Arrangement, Law, MethodName, Preset, Scene, Start};
+use crate::study::verdict::{Verdict, verdict};
 use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch, is_cheap};
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 /// Runs the scene to its end.
@@ -23,9 +25,13 @@ pub(super) fn measure(
     for remark in results.remarks() {
         note(&remark);
     }
+    // Its runs are others, of other lengths: they are no part of the progress.
+    let judged = verdict(scene, &mut |_| ControlFlow::Continue(()))?;
+    let mut rows = rows(preset, &results, &sensitivity, wall_time);
+    rows.extend(of_the_verdict(judged));
     let report = Report {
         title: preset.title.clone(),
-        rows: rows(preset, &results, &sensitivity, wall_time),
+        rows,
         wall_time,
     };
     report.check()?;
@@ -194,6 +200,21 @@ fn of_the_lattice(scene: &Scene) -> Vec<Row> {
             "1/s",
             "D_t, across contacts",
         ),
+    ]
+}
+
+/// The verdict on soft contacts, and why; only why where there is none.
+fn of_the_verdict(judged: Verdict) -> [Row; 2] {
+    let word = judged.word.map(|word| Cell::Word(word.as_str().to_owned()));
+    let why = Some(Cell::Word(judged.because));
+    [
+        Row::new(
+            "verdict",
+            word,
+            "",
+            "on soft contacts, against hard spheres",
+        ),
+        Row::new("verdict_why", why, "", ""),
     ]
 }
 

@@ -50,6 +50,10 @@ impl<G: Ground> Exact<G> {
         let n = self.gaps.len();
         let mut room = std::mem::take(&mut self.room);
         self.all_at(t, &mut room.a, &mut room.b);
+        // The floor's own cluster has been brought here: its plan is spent.
+        for (i, gap) in self.gaps[..self.end[0]].iter().enumerate() {
+            (room.a[i], room.b[i]) = (gap.g, gap.w);
+        }
         let (gaps, rates) = (&room.a[..n], &room.b[..n]);
         if closed {
             let arrival = self.moment(gaps, rates, t).arrival();

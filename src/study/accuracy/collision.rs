@@ -4,7 +4,6 @@ mod tables;
 
 use super::phases::{Spread, over_phases};
 use super::{AccuracyError, Candidate, Effort, Report, candidates};
-use crate::math;
 use crate::physics::Observation;
 use crate::scene::{Scene, Start};
 use crate::study::{Drive, RunError, Tell, in_time, one_ulp_off};

@@ -9,6 +9,7 @@ use super::{Advice, Kind, Question, Standing};
 use crate::scene::Preset;
 use crate::study::accuracy::facts;
 use crate::study::table::significant;
+use crate::study::verdict;
 
 pub(super) fn advice(
     search: &Search,
@@ -16,10 +17,12 @@ pub(super) fn advice(
     preset: &Preset,
     question: Question,
     cost: Option<Vec<Cost>>,
+    judged: &verdict::Verdict,
 ) -> Advice {
     let mut answer = tables::answer(search, family);
     answer.title = title(search, preset);
     answer.notes = notes(search, family);
+    answer.notes.insert(0, on_the_scene(judged));
     let mut curve = tables::curve(search);
     curve.notes = vec![format!(
         "off: difference from the limit over the limit; errors: {}; verdict against a tolerance \
@@ -36,6 +39,7 @@ pub(super) fn advice(
         let more = [
             ("against", against(search)),
             ("tolerance", question.tolerance.to_string()),
+            ("scene_verdict", word(judged).to_owned()),
         ];
         table
             .facts
@@ -49,6 +53,15 @@ pub(super) fn advice(
         curve,
         plot: tables::plot(search),
     }
+}
+
+/// The verdict on the scene as it is, against hard spheres.
+fn on_the_scene(judged: &verdict::Verdict) -> String {
+    format!("The scene as it is: {}: {}.", word(judged), judged.because)
+}
+
+fn word(judged: &verdict::Verdict) -> &'static str {
+    judged.word.map_or("no verdict", verdict::Word::as_str)
 }
 
 /// The limit in a few words.

@@ -114,7 +114,7 @@ impl Job {
 fn run(scene: &Scene, periods: usize) -> Result<Found, FigureError> {
     let contact_time = scene.contact_time().unwrap_or(f64::NAN);
     let mut landings = Landings::new(contact_time);
-    let mut means = Means::new(LOOKS);
+    let mut means = Means::new(scene, LOOKS);
     let settling = if periods > 0 { SETTLING } else { 1 };
     let all = settling + periods;
     let end = scene.period().unwrap_or(f64::NAN) * all as f64;
@@ -122,7 +122,7 @@ fn run(scene: &Scene, periods: usize) -> Result<Found, FigureError> {
     #[expect(clippy::cast_possible_truncation, reason = "at most 82 000 looks")]
     looks(scene, end, (all * LOOKS) as u32, |seen| {
         landings.look(seen);
-        if look > settling * LOOKS {
+        if look >= settling * LOOKS {
             means.look(seen);
         }
         look += 1;

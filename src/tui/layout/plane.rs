@@ -7,7 +7,7 @@
 //!  discs            │ axis  trace                     ├─ E_r/E ───────
 //!  discs            │       time                      │ history
 //!  discs            ├─ σ ────────┬─ parameters ───────┴───────────────
-//!  discs            │ regime     │ name   value        keys
+//!  discs            │ verdict    │ name   value        keys
 //!  scale            │ ε_eff      │ name   value        keys
 //!  message
 //!  keys

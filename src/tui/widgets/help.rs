@@ -26,7 +26,7 @@ const TERMS: &[(&str, &str)] = &[
     ),
     (
         "2D 1D",
-        "soft discs of a lattice, and the soft column that is as high, all else being alike. There are no hard discs to compare with: the verdict on σ holds for both.",
+        "soft discs of a lattice, and the soft column that is as high, all else being alike. There are no hard discs to compare with: the verdict is by σ_0 alone.",
     ),
     (
         "discs",
@@ -38,11 +38,15 @@ const TERMS: &[(&str, &str)] = &[
     ),
     (
         "σ landing",
-        "mean separation of the beads over their speed as they arrive at the floor, in contact times. The lowest of the last ten plate periods decides the regime.",
+        "mean separation of the beads over their speed as they arrive at the floor, in contact times; below it the lowest of the last ten plate periods. σ ≪ 1: contacts overlap in time, and little is lost.",
     ),
     (
         "σ",
-        "mean free flight between two contacts of a pair, in contact times. σ ≪ 1: detachment, MD is not to be trusted; σ ≫ 1: MD and ED agree.",
+        "mean free flight between two contacts of a pair, in contact times. A few long flights rule it.",
+    ),
+    (
+        "verdict",
+        "what soft contacts give from the start on against hard spheres, below it the quantity that parts them most: agreement within 5 %, detachment beyond a half (MD is not to be trusted), crossover between. It is the scene's, whatever is done to the running columns, and the same as in beadlab run.",
     ),
     (
         "ε_eff",

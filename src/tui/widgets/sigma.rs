@@ -1,73 +1,63 @@
-//! σ with its regime in words, and ε_eff of the last bounce.
+//! σ, the verdict on soft contacts, and ε_eff of the last bounce.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::details;
-use super::text::line;
+use super::text::{line, wrapped};
 use crate::scene::Law;
+use crate::study::verdict::Word;
 use crate::tui::model::Model;
 use crate::tui::numbers;
 use crate::tui::theme::Theme;
 
-/// What σ says about soft contacts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Regime {
-    /// σ ≪ 1.
-    Detachment,
-    /// σ about 1.
-    Crossover,
-    /// σ ≫ 1.
-    Agreement,
-    /// No contact time.
-    Hard,
-    /// No flight yet.
-    Unknown,
+/// Lines for why there is no verdict.
+const WHY: usize = 2;
+
+fn style(word: Word, theme: Theme) -> Style {
+    match word {
+        Word::Detachment => theme.alarm(),
+        Word::Crossover => theme.strong(),
+        Word::Agreement => theme.good(),
+    }
 }
 
-impl Regime {
-    /// The regime of a σ: the lowest of the last landings, since one dense landing is
-    /// enough; the mean over a plate period is ruled by a few long flights.
-    pub fn of(sigma: Option<f64>) -> Regime {
-        match sigma {
-            None => Regime::Unknown,
-            Some(sigma) if sigma.is_infinite() => Regime::Hard,
-            Some(sigma) if sigma < 0.3 => Regime::Detachment,
-            Some(sigma) if sigma <= 3.0 => Regime::Crossover,
-            Some(_) => Regime::Agreement,
+/// The verdict, and the numbers that decide it or why there is none.
+fn verdict(model: &Model, width: u16) -> Vec<Pieces> {
+    let theme = model.theme;
+    let Some(verdict) = model.verdict() else {
+        return vec![vec![(" no verdict yet".to_owned(), theme.quiet())]];
+    };
+    let mut lines: Vec<Pieces> = Vec::new();
+    if let Some(word) = verdict.word {
+        lines.push(vec![(format!(" {}", word.as_str()), style(word, theme))]);
+    }
+    match (verdict.word, verdict.decisive) {
+        (Some(_), Some(seen)) => lines.push(vec![
+            (format!(" {} ", seen.symbol), Style::new()),
+            (numbers::short(seen.soft), theme.side(0)),
+            ("/".to_owned(), Style::new()),
+            (numbers::short(seen.hard), theme.side(1)),
+        ]),
+        (Some(_), None) => lines.push(vec![(" by σ alone".to_owned(), theme.quiet())]),
+        (None, _) => {
+            let why = wrapped(&verdict.because, width.saturating_sub(1));
+            let why = why.into_iter().take(WHY);
+            lines.extend(why.map(|words| vec![(format!(" {words}"), theme.quiet())]));
         }
     }
-
-    /// In words, on two lines.
-    pub fn words(self) -> [&'static str; 2] {
-        match self {
-            Regime::Detachment => ["detachment: MD", "not to be trusted"],
-            Regime::Crossover => ["crossover: MD and ED", "begin to differ"],
-            Regime::Agreement => ["MD and ED agree", ""],
-            Regime::Hard => ["hard spheres: no", "contact time"],
-            Regime::Unknown => ["no landing yet", ""],
-        }
-    }
-
-    fn style(self, theme: Theme) -> Style {
-        match self {
-            Regime::Detachment => theme.alarm(),
-            Regime::Crossover => theme.strong(),
-            Regime::Agreement => theme.good(),
-            Regime::Hard | Regime::Unknown => theme.quiet(),
-        }
-    }
+    lines
 }
 
 /// A line of the panel, piece by piece.
 type Pieces = Vec<(String, Style)>;
 
-/// Draws the panel: the regime and the σ that it follows from, each ε_eff, and
-/// what else there is room for.
+/// Draws the panel: σ of the landings, the verdict, each ε_eff, and what else there is
+/// room for.
 pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
     let mut row = 0;
-    for pieces in lines(model) {
+    for pieces in lines(model, area.width) {
         let mut line = line(model.theme, buffer, area, row);
         for (text, style) in pieces {
             line.put(&text, style);
@@ -82,7 +72,7 @@ pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
     details::render(model, rest, buffer);
 }
 
-fn lines(model: &Model) -> Vec<Pieces> {
+fn lines(model: &Model, width: u16) -> Vec<Pieces> {
     let theme = model.theme;
     let quantity = |side: Option<usize>, name: &str, value: Option<f64>| -> Pieces {
         let label = side.map(|index| (model.label(index).to_owned(), theme.side(index)));
@@ -103,9 +93,6 @@ fn lines(model: &Model) -> Vec<Pieces> {
         .iter()
         .map(|side| model.sigma(side))
         .collect();
-    // A single ball has no separations, only flights.
-    let alone = means.first().copied().flatten().filter(|_| scene.n == 1);
-    let regime = Regime::of(densest.or(nominal).or(alone));
     let mut lines: Vec<Pieces> = Vec::new();
     match (landing, nominal) {
         (Some(_), _) => lines.push(quantity(None, "σ landing ", landing)),
@@ -115,8 +102,7 @@ fn lines(model: &Model) -> Vec<Pieces> {
     if scene.period().is_some() && landing.is_some_and(f64::is_finite) {
         lines.push(quantity(None, " lowest ", densest));
     }
-    let words = regime.words().into_iter().filter(|words| !words.is_empty());
-    lines.extend(words.map(|words| vec![(format!(" {words}"), regime.style(theme))]));
+    lines.extend(verdict(model, width));
     for (index, side) in model.numbers.sides.iter().enumerate() {
         lines.push(quantity(Some(index), " ε_eff ", side.seen.bounce));
     }
