@@ -153,10 +153,24 @@ pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover)
         None => (State::initial(scene), Handover::default()),
         Some(state) => state.adopt(scene),
     };
+    (engine(scene, state), handover)
+}
+
+/// Builds the engine of a scene that follows collapses of hard beads half as far as
+/// [`build`]'s before it closes them: what this changes of the results is not known.
+pub fn build_half_as_deep(scene: &Scene) -> Box<dyn Engine> {
+    let state = State {
+        closing: state::Depth::Half,
+        ..State::initial(scene)
+    };
+    engine(scene, state)
+}
+
+fn engine(scene: &Scene, state: State) -> Box<dyn Engine> {
     if let Some(sites) = scene.sites() {
-        return (lattice::build(scene, sites, state), handover);
+        return lattice::build(scene, sites, state);
     }
-    let engine = match scene.method {
+    match scene.method {
         Method::Md {
             solver: Solver::Grid { .. },
             ..
@@ -170,6 +184,5 @@ pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover)
             ..
         } => adaptive::build(scene, tolerance, state),
         Method::Ed { .. } => ed::build(scene, state),
-    };
-    (engine, handover)
+    }
 }

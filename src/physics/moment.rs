@@ -126,6 +126,7 @@ impl Moment<'_> {
         (into.floor_touched, into.floor_left) = books.contacts.floor();
         into.steps = books.steps;
         into.events = books.events;
+        into.closed = books.closed;
         into.discs = None;
     }
 }

@@ -89,6 +89,8 @@ pub struct Observation {
     pub steps: u64,
     /// Collisions done (ED).
     pub events: u64,
+    /// Collapses of hard beads that were closed: see the limits in the README.
+    pub closed: u64,
     /// Where the beads of a lattice are in their plane; of a lattice only.
     pub discs: Option<Discs>,
 }

@@ -265,7 +265,9 @@ impl Mean {
     fn with(self, off: f64) -> Self {
         let rounding = f64::EPSILON * self.value.abs();
         Self {
-            error: self.error.map(|error| math::hypot(math::hypot(error, off), rounding)),
+            error: self
+                .error
+                .map(|error| math::hypot(math::hypot(error, off), rounding)),
             ..self
         }
     }

@@ -49,6 +49,8 @@ pub struct Results {
     pub energy_drift: f64,
     /// Collisions (ED).
     pub events: u64,
+    /// Collapses that were closed (ED).
+    pub closed: u64,
     /// Time steps (soft contacts).
     pub steps: u64,
     /// Simulated time, s.
@@ -121,6 +123,7 @@ pub fn measure(scene: &Scene, drive: &mut Drive) -> Result<Results, RunError> {
         overlap_max: scene.is_md().then(|| last.deepest / scene.diameter),
         energy_drift: last.energy.drift,
         events: last.events,
+        closed: last.closed,
         steps: last.steps,
         sim_time: drive.time(),
         ..measured

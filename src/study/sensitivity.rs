@@ -1,5 +1,5 @@
-//! How many digits a result has: what the last bit of the start does to it, and the step
-//! or the tolerance of its method.
+//! How many digits a result has: what the last bits of its start and of ε do to it, and
+//! the step or the tolerance of its method, or where it closes a collapse.
 
 use super::drive::{Drive, RunError, Watch};
 use super::measure::{Results, measure};
@@ -55,8 +55,9 @@ pub struct Sensitivity {
     pub step: Option<f64>,
 }
 
-/// The largest changes over `patterns` of last bits, of [`PATTERNS`] at most, and over
-/// other steps or tolerances where the method has them; none of no patterns.
+/// The largest changes over `patterns` of last bits, of [`PATTERNS`] at most, over the
+/// last bit of ε, and over other steps, tolerances or depths where the method has them;
+/// none of no patterns.
 ///
 /// # Errors
 /// As [`measure`] of the scene.
@@ -75,7 +76,24 @@ pub fn sensitivity(
         let off = one_ulp_off(scene, pattern);
         found.widen(results, &run(off, scene, watch)?, 1.0);
     }
+    if let Some(off) = restitution_off(scene) {
+        let engine = physics::build(&off, None).0;
+        found.widen(results, &run(engine, &off, watch)?, 1.0);
+    }
+    if results.closed > 0 {
+        let engine = physics::build_half_as_deep(scene);
+        found.widen(results, &run(engine, scene, watch)?, 1.0);
+    }
     Ok(found)
+}
+
+/// The scene with an ε that is smaller by its last bit. A decimal number that somebody
+/// typed is half of that from what it means.
+fn restitution_off(scene: &Scene) -> Option<Scene> {
+    let restitution = Value::Number(scene.restitution.next_down());
+    let has = scene.restitution > 0.0 && scene.gravity.is_none();
+    let off = has.then(|| vary(scene, None, &[("restitution", restitution)]));
+    off?.ok()
 }
 
 fn run(

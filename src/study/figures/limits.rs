@@ -18,10 +18,10 @@
 //!
 //! an exponent of −1/2 for every ε. What the ends add falls as N^(−1/2) beside the loss.
 
-use crate::math;
 use super::bench::Bench;
 use super::columns::{eps, run, scene};
 use super::{Claim, FigureError, Sheet};
+use crate::math;
 use crate::study::Results;
 use crate::study::accuracy::facts;
 use crate::study::table::{Column, Table};
@@ -90,7 +90,8 @@ pub(super) fn losses(bench: &mut Bench, speed: f64, sheet: &mut Sheet) -> Result
         lengths[1],
         parts.join(", ")
     ));
-    let slope = math::ln(of((WEAK, long)) / of((WEAK, short))) / math::ln(long as f64 / short as f64);
+    let slope =
+        math::ln(of((WEAK, long)) / of((WEAK, short))) / math::ln(long as f64 / short as f64);
     sheet.claims.push(
         Claim::off(
             format!("slope, eps {WEAK}, N {short} to {long}"),

@@ -27,11 +27,11 @@
 
 mod theory;
 
-use crate::math;
 use super::bench::Bench;
 use super::landings::{Landings, dense_share};
 use super::runs::{largest, looks, preset, smallest};
 use super::{Claim, FigureError, Sheet};
+use crate::math;
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
@@ -249,7 +249,10 @@ impl Study {
             all.filter(|(time, _)| *time < SHORT).collect()
         };
         let power = |law: usize| {
-            let logs: Vec<_> = short(law).iter().map(|(t, s)| (math::ln(*t), math::ln(*s))).collect();
+            let logs: Vec<_> = short(law)
+                .iter()
+                .map(|(t, s)| (math::ln(*t), math::ln(*s)))
+                .collect();
             slope(&logs).unwrap_or(f64::NAN)
         };
         let off = short(HOOKE);
