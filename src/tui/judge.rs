@@ -1,5 +1,5 @@
 //! The thread that judges the scenes on the bench, which takes up to some seconds. It
-//! rests as often as it works, so that the columns on the screen go on.
+//! rests three times as long as it works, so that the columns on the screen go on.
 
 use std::io;
 use std::ops::ControlFlow;
@@ -12,7 +12,7 @@ use crossbeam_channel::{Receiver, Sender, unbounded};
 use crate::scene::Scene;
 use crate::study::verdict::{Verdict, verdict};
 
-/// It works for about so long, and then rests as long.
+/// It works for about so long, and then rests.
 const TURN: Duration = Duration::from_millis(4);
 
 /// The ends of its channels that the screen holds. Dropping `scenes` ends the thread.
@@ -42,7 +42,7 @@ fn run(inbox: &Receiver<Scene>, outlet: &Sender<(Scene, Verdict)>) {
         let mut since = Instant::now();
         let mut watch = |_| {
             if since.elapsed() > TURN {
-                thread::sleep(since.elapsed());
+                thread::sleep(3 * since.elapsed());
                 since = Instant::now();
             }
             if inbox.is_empty() {
