@@ -87,6 +87,11 @@ fn launched(n: usize, restitution: f64, s0: f64, v0: f64) -> Facts {
 
 /// Runs a floor collision to its end, of so many collisions at most.
 fn end(facts: Facts, most: u64) -> Option<End> {
+    end_and_closed(facts, most).map(|(end, _)| end)
+}
+
+/// The same, and how many collapses were closed on the way.
+fn end_and_closed(facts: Facts, most: u64) -> Option<(End, u64)> {
     let Start::Separated { s0, v0, .. } = facts.start else {
         return None;
     };
@@ -98,11 +103,12 @@ fn end(facts: Facts, most: u64) -> Option<End> {
         let outcome = engine.advance(until, most).expect("a sound run");
         let now = look(&*engine);
         if outcome == Outcome::Over {
-            return Some(End {
+            let end = End {
                 eps_eff: (now.energy.kinetic / before).sqrt(),
                 er_over_ef: now.energy.relative / now.energy.kinetic,
                 collisions: now.events,
-            });
+            };
+            return Some((end, now.closed));
         }
         if now.events >= most {
             return None;
@@ -218,13 +224,14 @@ fn energies(rates: &[Double], masses: &[Double]) -> (Double, Double) {
     };
     let centre = sum(&|i| masses[i] * velocities[i]) / sum(&|i| masses[i]);
     let about = |origin: Double| {
-        sum(&|i| masses[i] * (velocities[i] - origin) * (velocities[i] - origin)) * Double::from(0.5)
+        sum(&|i| masses[i] * (velocities[i] - origin) * (velocities[i] - origin))
+            * Double::from(0.5)
     };
     (about(Double::ZERO), about(centre))
 }
 
 /// A column whose N(1 − ε) is up to `absorbed`, where sequences become long.
-fn column(dice: &mut Dice, most: usize, absorbed: f64) -> Facts {
+fn column(dice: &mut Dice, most: usize, absorbed: f64, seed: u64) -> Facts {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -239,7 +246,7 @@ fn column(dice: &mut Dice, most: usize, absorbed: f64) -> Facts {
         } else {
             1e-3 * dice.roll()
         },
-        seed: (1e6 * dice.roll()).floor() as u64,
+        seed,
         floor_contact: if dice.chance(0.5) {
             FloorContact::SameSpring
         } else {
@@ -258,8 +265,8 @@ fn column(dice: &mut Dice, most: usize, absorbed: f64) -> Facts {
 fn a_plain_event_loop_with_twice_the_digits() {
     let mut dice = Dice(5);
     let mut compared = 0;
-    for _ in 0..60 {
-        let facts = column(&mut dice, 20, 3.0);
+    for seed in 0..60 {
+        let facts = column(&mut dice, 20, 3.0, seed);
         let Some(truth) = plainly(&facts, 20_000) else {
             continue;
         };
@@ -277,33 +284,35 @@ fn a_plain_event_loop_with_twice_the_digits() {
 /// Hard spheres have no scale of length and none of speed: every column comes to the same
 /// end on all of these. Where a collapse is closed, the number of collisions is that of the
 /// rule, which rounding can shift.
-fn scale_invariance(columns: usize, most: usize, seed: u64) {
+fn scale_invariance(columns: u64, longest: usize, seed: u64) {
     let mut dice = Dice(seed);
     let mut ended = 0;
     for k in 0..columns {
-        let facts = column(&mut dice, most, 3.7);
+        let facts = column(&mut dice, longest, 3.7, k);
         let Start::Separated { jitter, .. } = facts.start else {
             continue;
         };
-        let on = |(s0, v0): (f64, f64)| {
+        let on = |(s0, v0): (f64, f64), most| {
             let start = Start::Separated { s0, jitter, v0 };
             let facts = Facts {
                 start,
                 ..facts.clone()
             };
-            end(facts, 30_000_000)
+            end_and_closed(facts, most)
         };
-        let Some(first) = on((1e-6, -0.2)) else {
+        let Some((first, closed)) = on((1e-6, -0.2), 30_000_000) else {
             continue;
         };
         for scale in [(1e-12, -1e6), (1e-3, -1e-6), (10.0, -3.0)] {
-            let other = on(scale).expect("as many collisions as before");
+            let (other, _) = on(scale, 60_000_000).expect("not many more collisions");
             let case = format!("column {k} on {scale:?}: {other:?}, not {first:?}: {facts:?}");
             if first.eps_eff == 0.0 {
                 assert_eq!(other.eps_eff, 0.0, "{case}");
                 continue;
             }
-            assert_eq!(other.collisions, first.collisions, "{case}");
+            if closed == 0 {
+                assert_eq!(other.collisions, first.collisions, "{case}");
+            }
             // Rounding: a part of 10⁻¹⁶ of velocities that fall by up to twenty decades,
             // all by the same factors; 7·10⁻¹³ is the worst of 800 columns.
             assert!(off(other.eps_eff, first.eps_eff) < 3e-12, "{case}");

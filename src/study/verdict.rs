@@ -17,7 +17,7 @@
 //! - *detachment*: δ > 0.5 of any of them;
 //! - *crossover*: between.
 //!
-//! Means on a plate count with two standard errors ([`decide`]). The rise fluctuates
+//! Means on a plate count with two standard errors (`decide`). The rise fluctuates
 //! much more than E_r/E, so it may refuse agreement but need not prove it. Where no
 //! comparison can be had the σ of the landings decides alone, σ₀ of a launched column:
 //! below 0.3 detachment, above 3 agreement; on a plate detachment where one landing in
@@ -30,6 +30,7 @@ mod twins;
 
 use super::means::Mean;
 use super::table::significant;
+use crate::math;
 use crate::scene::Scene;
 
 pub use twins::verdict;
@@ -243,7 +244,7 @@ impl Verdict {
 
 /// Standard error of a difference of means.
 fn both_errors(soft: Mean, hard: Mean) -> f64 {
-    soft.error.unwrap_or(0.0).hypot(hard.error.unwrap_or(0.0))
+    math::hypot(soft.error.unwrap_or(0.0), hard.error.unwrap_or(0.0))
 }
 
 fn sigma0(sigma: f64) -> String {
