@@ -313,10 +313,10 @@ fn scale_invariance(columns: u64, longest: usize, seed: u64) {
             if closed == 0 {
                 assert_eq!(other.collisions, first.collisions, "{case}");
             }
-            // Rounding: a part of 10⁻¹⁶ of velocities that fall by up to twenty decades,
-            // all by the same factors; 7·10⁻¹³ is the worst of 800 columns.
-            assert!(off(other.eps_eff, first.eps_eff) < 3e-12, "{case}");
-            assert!(off(other.er_over_ef, first.er_over_ef) < 3e-12, "{case}");
+            // Rounding of velocities that fall by up to twenty decades: 4·10⁻¹² is the
+            // worst of 800 columns.
+            assert!(off(other.eps_eff, first.eps_eff) < 1e-11, "{case}");
+            assert!(off(other.er_over_ef, first.er_over_ef) < 1e-11, "{case}");
         }
         ended += 1;
     }

@@ -42,6 +42,8 @@ struct Block {
 pub(super) struct Means {
     /// Intervals between looks in a block.
     looks: usize,
+    /// Of a single bead, which has no E_r.
+    alone: bool,
     /// Mass of the column, in mean bead masses.
     mass: f64,
     gravity: f64,
@@ -67,9 +69,11 @@ impl Means {
     /// Of a scene, in blocks of so many looks.
     pub fn new(scene: &Scene, looks: usize) -> Self {
         let masses = diameters(scene);
+        let alone = masses.len() == 1;
         let masses = masses.iter().map(|d| math::powi(d / scene.diameter, 3));
         Self {
             looks,
+            alone,
             mass: masses.sum(),
             gravity: scene.gravity.unwrap_or(0.0),
             last: None,
@@ -111,6 +115,10 @@ impl Means {
     /// The integrals between two looks: the engine's own, or by what both ends tell.
     fn between(&self, a: Look, b: Look) -> Block {
         let h = b.time - a.time;
+        if h <= 0.0 {
+            // A grid so coarse that both looks are at one of its points.
+            return Block::default();
+        }
         let own = |look: Look| Some((look.integrals?, look.integrals?.energies));
         let (mut height, mut squares, mut height_off, jump) =
             if a.on_floor == b.on_floor && a.floor_left == b.floor_left {
@@ -207,7 +215,7 @@ impl Means {
             return None;
         }
         let value = relative / kinetic;
-        if value < f64::EPSILON {
+        if self.alone || value < f64::EPSILON {
             // A single bead, or a cluster whose differences are rounding.
             return Some(Mean {
                 value: 0.0,

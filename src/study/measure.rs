@@ -147,7 +147,7 @@ fn floor_collision(
     Ok(Results {
         eps_eff: Some((after / before).sqrt()),
         // Of a column that has come to rest nobody can say how its energy is shared.
-        er_over_ef: (after > 0.0).then(|| last.energy.relative / after),
+        er_over_ef: (after > 0.0).then(|| share(last.energy.relative / after, scene.n)),
         contact_duration: last
             .floor_left
             .zip(last.floor_touched)
@@ -202,6 +202,21 @@ fn means(
     }
     means.finish();
     Ok(means)
+}
+
+/// E_r/E_f of so many beads: 0 where the velocities that it is made of differ by no more
+/// than rounding.
+fn share(found: f64, n: usize) -> f64 {
+    if found.sqrt() < rounding(n) {
+        0.0
+    } else {
+        found
+    }
+}
+
+/// What a velocity of one of `n` beads is off by at the end of a collision, as a part of it.
+pub(super) fn rounding(n: usize) -> f64 {
+    4.0 * n as f64 * f64::EPSILON
 }
 
 /// Height of the centre of mass of the column that rests, just touching, on z = 0, m.

@@ -16,7 +16,8 @@
 //! - Equal beads with Σ(1 − ε) ≥ [`WHOLE`] above a floor come to rest as a whole. Collapse
 //!   begins near π there (Bernu & Mazighi 1990: ε < tan²(π/4 (1 − 1/N))), and the longest
 //!   finite sequence known, of 2·10⁷ collisions, has 3.7. Nothing is left of the energy at
-//!   whatever depth it is closed, so that depth decides about the cost only.
+//!   whatever depth it is closed, so that depth decides about the cost only. So do unequal
+//!   ones with [`UNEQUAL`], but for a light bead that gets away.
 //! - Columns longer than [`LONG`], whose cost would grow as N³. Their cascades of touching
 //!   beads with Σ(1 − ε) ≥ [`ABSORBING`], too, after [`Closing::cascade`] collisions: what a
 //!   wave carries through them and back has fallen by e^{−Σ(1−ε)}, its energy by 10⁻¹².
@@ -30,8 +31,10 @@ use crate::scene::{Scene, Start};
 /// columns of equal beads near collapse that came back none had been as deep, of 1500 of
 /// unequal ones 1 %. Gaps fall as the third or fourth power of speeds.
 const DEEP: i32 = 100;
-/// Σ(1 − ε) from which equal beads come to rest as a whole.
+/// Σ(1 − ε) from which equal beads come to rest as a whole, and unequal ones collapse at
+/// once, but for a light one that gets away.
 const WHOLE: f64 = 5.0;
+const UNEQUAL: f64 = 8.0;
 /// The longest column that is followed to full depth.
 const LONG: usize = 64;
 /// Σ(1 − ε) of touching beads through which nothing comes back.
@@ -96,10 +99,10 @@ impl Closing {
 
 /// Powers of two to which a pair's speed is followed down.
 fn powers(scene: &Scene, pairs: &[Pair]) -> i32 {
-    let whole = scene.width == 0.0 && absorbed(pairs) >= WHOLE;
+    let whole = absorbed(pairs) >= if scene.width == 0.0 { WHOLE } else { UNEQUAL };
     if whole || scene.n > LONG {
         // Short columns cost little; of long ones what waves between ends can still do.
-        DEEP.min(12 + 1000 / i32::try_from(scene.n).unwrap_or(i32::MAX))
+        DEEP.min(12 + 700 / i32::try_from(scene.n).unwrap_or(i32::MAX))
     } else {
         DEEP
     }

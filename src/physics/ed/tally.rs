@@ -10,6 +10,9 @@ use crate::physics::ledger::Sum;
 use crate::physics::observation::{Energies, Integrals};
 use crate::physics::plate::Plate;
 
+/// Ticks of the ground after which rounding errors are ended.
+const AGE: f64 = 256.0;
+
 /// The column as two bodies, at a time, and the integrals up to there.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Tally {
@@ -28,7 +31,9 @@ pub(super) struct Tally {
     warmth: f64,
     /// What the ledger had as lost then.
     lost: f64,
-    /// Whether the two bodies have to be weighed again.
+    /// How far the epoch has moved since the two bodies were weighed, s.
+    aged: f64,
+    /// Whether they have to be weighed again.
     stale: bool,
     height: Sum,
     squares: Sum,
@@ -127,11 +132,13 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
     }
 
-    /// The epoch has moved on; rounding errors end with it.
+    /// The epoch has moved on; now and then rounding errors end with that.
     pub(super) fn shift_tally(&mut self, by: f64) {
-        self.tally.t -= by;
-        self.tally.since -= by;
-        self.tally.stale = true;
+        let tally = &mut self.tally;
+        tally.t -= by;
+        tally.since -= by;
+        tally.aged += by;
+        tally.stale |= tally.aged >= AGE * self.ground.tick();
     }
 
     /// After every event: what it lost, and what rides now.
@@ -177,6 +184,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             since: t,
             warmth: 0.0,
             lost: self.state.books.ledger.lost.total(),
+            aged: 0.0,
             stale: false,
             ..self.tally
         };

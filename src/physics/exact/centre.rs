@@ -51,8 +51,9 @@ impl Centre {
 }
 
 impl<G: Ground> Exact<G> {
-    /// The centre of mass at `t`, within the plan of the floor's cluster.
-    pub(super) fn centre_at(&self, t: f64) -> Centre {
+    /// The centre of mass at `t`, within the plan of the floor's cluster, whose gaps and
+    /// rates are these then.
+    pub(super) fn centre_at(&self, t: f64, gaps: &[f64], rates: &[f64]) -> Centre {
         let mut centre = self.centre;
         if self.modes[0] != Mode::Pushing {
             centre.fall(t - centre.t, self.gravity);
@@ -61,8 +62,10 @@ impl<G: Ground> Exact<G> {
         let t0 = self.gaps[0].t;
         centre.fall(t0 - centre.t, self.gravity);
         match self.plans[0] {
-            Plan::Landing => return self.carried(&centre, 1, t),
-            Plan::Rest => return self.carried(&centre, self.beads_at_rest(), t),
+            Plan::Landing => return self.carried(&centre, t, &gaps[..1], rates),
+            Plan::Rest => {
+                return self.carried(&centre, t, &gaps[..self.beads_at_rest()], rates);
+            }
             Plan::Series { h, reach, .. } => {
                 let s = self.progress(0, t, h, reach);
                 let push = self.series(0, h).force(0, self.springs[0], 1.0, s);
@@ -75,19 +78,22 @@ impl<G: Ground> Exact<G> {
         centre
     }
 
-    /// Takes the centre on to `t` with the lowest `m` beads, whose contacts go on pushing
-    /// below them and not above, while the others fall. By F_i = −(K_i g_i + c_i ġ_i), and
+    /// Takes the centre on to `t` with the beads above these gaps, whose contacts go on
+    /// pushing below them and not above, while the others fall. By F_i = −(K_i g_i + c_i ġ_i), and
     /// F_i being what the beads from i to the stack's top gain in momentum, the integrals
     /// of the gaps follow from both ends.
-    fn carried(&self, centre: &Centre, m: usize, t: f64) -> Centre {
+    fn carried(&self, centre: &Centre, t: f64, gaps: &[f64], rates: &[f64]) -> Centre {
+        let m = gaps.len();
         let t0 = self.gaps[0].t;
         let tau = t - t0;
-        let (from, to) = (self.ground.plate(t0), self.ground.plate(t));
-        let (mut gaps, mut rates) = (vec![0.0; m + PADDING], vec![0.0; m + PADDING]);
-        self.at(0, t, &mut gaps, &mut rates);
+        let from = self.ground.plate(t0);
         // Places and velocities of a bead at both ends.
-        let mut before = (from.position(), from.velocity());
-        let mut after = (to.position(), to.velocity());
+        let mut before = from.motion();
+        let mut after = if G::MOVES {
+            self.ground.plate(t).motion()
+        } else {
+            before
+        };
         let (mut others, mut stack) = (*centre, Centre::default());
         let mut gained = vec![0.0; m];
         for i in 0..m {
@@ -127,8 +133,15 @@ impl<G: Ground> Exact<G> {
         if !G::PULLS || !self.state.books.contacts.all_open() {
             return;
         }
-        let centre = self.centre_at(self.now);
-        self.centre = self.weighed(centre.height);
+        self.centre = self.weighed(self.centre_now().height);
+    }
+
+    /// The centre of mass now.
+    fn centre_now(&self) -> Centre {
+        let room = || vec![0.0; self.end[0] + PADDING];
+        let (mut gaps, mut rates) = (room(), room());
+        self.at(0, self.now, &mut gaps, &mut rates);
+        self.centre_at(self.now, &gaps, &rates)
     }
 
     /// The centre of mass now, with this integral so far.
@@ -154,7 +167,7 @@ impl<G: Ground> Exact<G> {
     /// The integral since the start, up to now; none without gravity.
     pub(super) fn integrals(&self) -> Option<Integrals> {
         G::PULLS.then(|| {
-            let centre = self.centre_at(self.now);
+            let centre = self.centre_now();
             Integrals {
                 height: centre.height.total() / centre.mass,
                 energies: None,

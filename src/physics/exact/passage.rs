@@ -45,15 +45,15 @@ impl<G: Ground> Exact<G> {
 
     /// Brings the cluster that starts at `low` to time `t`, before its plan ends or then.
     pub(super) fn bring(&mut self, low: usize, t: f64) {
-        if G::PULLS && low == 0 && self.modes[0] == Mode::Pushing {
-            self.centre = self.centre_at(t);
-        }
         let mut room = std::mem::take(&mut self.room);
         let mut ledger = std::mem::take(&mut self.state.books.ledger);
         self.account(low, t, &mut ledger, &mut room);
         self.state.books.ledger = ledger;
         let high = self.end[low];
         self.at(low, t, &mut room.a, &mut room.b);
+        if G::PULLS && low == 0 && self.modes[0] == Mode::Pushing {
+            self.centre = self.centre_at(t, &room.a, &room.b);
+        }
         let moved = room.a.iter().zip(&room.b);
         for (gap, (&g, &w)) in self.gaps[low..high].iter_mut().zip(moved) {
             *gap = brought((g, w), t);

@@ -220,7 +220,7 @@ impl Column {
             return String::new();
         }
         let percent = significant(100.0 * dense as f64 / all as f64, 2);
-        format!("; sigma < 1 at {percent} % of {all} landings")
+        format!("; sigma < 1 at {percent} % of {all} landings, in runs of their own")
     }
 
     /// By its landings alone, because `why` there is no comparison.
