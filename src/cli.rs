@@ -35,14 +35,18 @@ deepest overlap seen (gear, verlet: every 32 steps and at contact changes).
 
 Results are printed to the digits that they have, and one more. What decides the
 others is measured without gravity, unless the run is long, else by --sensitivity:
-what the last bit of the start changes, and other steps (gear, verlet) or
-tolerances (power laws). `sensitivity` is that of eps_eff or h_cm_mean; other
+what the last bits of the start and of eps change, and other steps (gear, verlet),
+tolerances (power laws) or depths at which a collapse is closed (ed). `sensitivity` is that of eps_eff or h_cm_mean; other
 results have their own, as in sigma_sensitivity. Means have an error, statistical
 and of the looks between which the motion is not known. Where nothing was
 measured a grid vouches for a tenth of a step in a contact time.
 
 energy_drift checks the books, not the results: on a grid it can be 500 times less
 than their error, of which step_error is an estimate, from other steps.
+
+verdict is on the scene's soft contacts: detachment, crossover or agreement with
+hard spheres; verdict_why says by which numbers. They come from runs of both from
+the start that last until they decide, whatever the method and duration of this one.
 
 Unequal beads share one spring and dashpot, so each pair has a restitution of its
 own, soft or hard (restitution_min, restitution_max; law = hooke, and ed).

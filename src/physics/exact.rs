@@ -265,10 +265,9 @@ impl<G: Ground> Exact<G> {
             gap.t -= shift;
         }
         self.queue.shift(shift);
-        self.centre.t -= shift;
         self.ground
             .set_plate(self.state.plate.later(self.ticks * self.tick));
-        self.weigh();
+        self.shift_centre(shift);
     }
 
     /// Carries out what the cluster that starts at `i` has planned, at `t`.

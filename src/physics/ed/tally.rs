@@ -11,7 +11,7 @@ use crate::physics::observation::{Energies, Integrals};
 use crate::physics::plate::Plate;
 
 /// Ticks of the ground after which rounding errors are ended.
-const AGE: f64 = 256.0;
+const AGE: f64 = 16.0;
 
 /// The column as two bodies, at a time, and the integrals up to there.
 #[derive(Debug, Clone, Copy, Default)]

@@ -9,11 +9,16 @@ use crate::physics::flight::Ground;
 use crate::physics::ledger::Sum;
 use crate::physics::observation::Integrals;
 
+/// Moves of the epoch after which rounding errors are ended.
+const AGE: u32 = 64;
+
 /// The centre of mass at a time of its own, and the integral of its height up to there.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Centre {
     /// s from the epoch; not after that of the lowest gap where the floor pushes.
     pub t: f64,
+    /// Moves of the epoch since the column was weighed.
+    aged: u32,
     mass: f64,
     /// Σ m z and Σ m v.
     moment: f64,
@@ -121,6 +126,7 @@ impl<G: Ground> Exact<G> {
         others.height.add(height);
         Centre {
             t,
+            aged: centre.aged,
             mass: centre.mass,
             moment: others.moment + stack.moment,
             momentum: others.momentum + stack.momentum,
@@ -128,9 +134,13 @@ impl<G: Ground> Exact<G> {
         }
     }
 
-    /// Weighs the column anew, now, if it flies: rounding errors end with it.
-    pub(super) fn weigh(&mut self) {
-        if !G::PULLS || !self.state.books.contacts.all_open() {
+    /// The epoch has moved on by `shift`. Now and then the column is weighed anew, if it
+    /// flies: rounding errors end with that.
+    pub(super) fn shift_centre(&mut self, shift: f64) {
+        self.centre.t -= shift;
+        self.centre.aged = self.centre.aged.saturating_add(1);
+        let due = G::PULLS && self.centre.aged >= AGE;
+        if !due || !self.state.books.contacts.all_open() {
             return;
         }
         self.centre = self.weighed(self.centre_now().height);
