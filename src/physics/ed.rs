@@ -13,6 +13,7 @@
 
 mod cascade;
 mod closing;
+mod epoch;
 mod pair;
 mod rule;
 mod tally;
@@ -34,11 +35,6 @@ use tally::Tally;
 /// What can still change of the kinetic energy of a floor collision that is over, as a
 /// part of it: less than any digit of a double shows.
 const OVER: f64 = 1e-32;
-/// The epoch follows where a gap closes again within 1/(16 N) of the time since it: so many
-/// of the digits of a flight may be lost to the digits of its time. By chance this happens
-/// once in some 16 N collisions, so that following, O(N), costs next to nothing.
-const SOON: f64 = 1.0 / 16.0;
-
 /// Builds the engine of an ED scene.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
     let plate = state.plate;
@@ -137,7 +133,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             origin: state.time,
             epoch: Sum::default(),
             soon: false,
-            soonest: 1.0 + SOON / n as f64,
+            soonest: epoch::soonest(n),
             now: 0.0,
             ride_from: 0.0,
             paused: None,
@@ -245,12 +241,6 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.look_ahead(soonest, self.now);
     }
 
-    /// A gap that closes next at `soonest` was scheduled at `t`.
-    #[inline]
-    fn look_ahead(&mut self, soonest: f64, t: f64) {
-        self.soon |= soonest < t * self.soonest;
-    }
-
     fn schedule_take_off(&mut self) {
         if G::PULLS {
             let time = if self.stack > 0 {
@@ -296,29 +286,6 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.state.books.contacts.note(0, false, time);
         self.schedule(0, stack.min(self.gaps.len() - 1));
         self.schedule_take_off();
-    }
-
-    /// Moves the epoch on by so much, so that times keep their digits.
-    fn move_epoch(&mut self, by: f64) {
-        self.ground.move_epoch(by);
-        self.epoch.add(by);
-        for gap in &mut self.gaps {
-            gap.t -= by;
-        }
-        self.rule.shift(by);
-        self.shift_tally(by);
-        self.queue.shift(by);
-        self.now -= by;
-        self.queue.set(self.gaps.len() + 1, self.ground.tick());
-    }
-
-    /// Makes now the epoch, and schedules all gaps again: what closes soon is then known
-    /// to a part of its flight, not of the time before.
-    fn follow(&mut self) {
-        self.move_epoch(self.now);
-        self.schedule(0, self.gaps.len() - 1);
-        self.schedule_take_off();
-        self.soon = false;
     }
 
     /// Whether a floor collision without gravity is over, looked at now and then, as
