@@ -25,6 +25,7 @@ pub mod spectrum;
 mod state;
 mod tournament;
 
+pub(crate) use column::masses;
 pub use column::restitution_range;
 pub use linear_law::{LinearLaw, floor_restitution};
 pub use observation::{Discs, Energies, Energy, Integrals, Observation};

@@ -3,8 +3,8 @@
 
 use super::fit::standard_error;
 use crate::math;
-use crate::physics::{Integrals, Observation};
-use crate::scene::{Scene, diameters};
+use crate::physics::{Integrals, Observation, masses};
+use crate::scene::Scene;
 use std::ops::Range;
 
 /// Standard deviation of the place of a jump that is somewhere between two looks, over
@@ -68,13 +68,10 @@ struct Look {
 impl Means {
     /// Of a scene, in blocks of so many looks.
     pub fn new(scene: &Scene, looks: usize) -> Self {
-        let masses = diameters(scene);
-        let alone = masses.len() == 1;
-        let masses = masses.iter().map(|d| math::powi(d / scene.diameter, 3));
         Self {
             looks,
-            alone,
-            mass: masses.sum(),
+            alone: scene.n == 1,
+            mass: masses(scene).iter().sum(),
             gravity: scene.gravity.unwrap_or(0.0),
             last: None,
             open: Block::default(),
