@@ -8,6 +8,9 @@
 //! `/`, `sqrt`, `mul_add`, `floor`, `%`) are the same everywhere as they are. Angles are in
 //! radians.
 
+mod power;
+mod twice;
+
 use nalgebra::Complex;
 
 /// sin x.
@@ -72,7 +75,13 @@ pub fn log10(x: f64) -> f64 {
 
 /// x^p for any p; not a number for x < 0, unless p is whole.
 pub fn powf(x: f64, p: f64) -> f64 {
-    libm::pow(x, p)
+    power::of_usual_size(x, [p]).map_or_else(|| libm::pow(x, p), |[power]| power)
+}
+
+/// x^p for each p, the bits of [`powf`]; two cost little more than one.
+#[inline]
+pub fn powers<const COUNT: usize>(x: f64, powers: [f64; COUNT]) -> [f64; COUNT] {
+    power::of_usual_size(x, powers).unwrap_or_else(|| powers.map(|p| powf(x, p)))
 }
 
 /// x^n by repeated squares: the product of the squares that n's binary digits ask for, the
@@ -145,6 +154,7 @@ mod tests {
             close("powf", size, powf(size, part), size.powf(part));
             close("hypot", x, hypot(x, part), x.hypot(part));
             assert_eq!(sin_cos(x), (sin(x), cos(x)));
+            assert_eq!(powers(size, [part, x]), [powf(size, part), powf(size, x)]);
             let turned = polar(cis(part * 3.1));
             assert!((turned.0 - 1.0).abs() < 4e-16 && (turned.1 - part * 3.1).abs() < 1e-15);
         }

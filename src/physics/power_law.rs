@@ -17,17 +17,17 @@ pub(crate) struct Spring {
     pub gamma: f64,
 }
 
-/// x^p for x ≥ 0: the powers that the named laws have by square roots, which every
-/// machine rounds alike.
-pub(crate) fn power(x: f64, p: f64) -> f64 {
+/// x^p for x ≥ 0 where the named laws have it by square roots, which every machine rounds
+/// alike.
+fn by_roots(x: f64, p: f64) -> Option<f64> {
     if p == 0.0 {
-        1.0
+        Some(1.0)
     } else if p == 0.5 {
-        x.sqrt()
+        Some(x.sqrt())
     } else if p == 0.25 {
-        x.sqrt().sqrt()
+        Some(x.sqrt().sqrt())
     } else {
-        math::powf(x, p)
+        None
     }
 }
 
@@ -44,7 +44,20 @@ impl Spring {
 
     /// K x^(1+β) at overlap `x` ≥ 0.
     pub fn elastic(&self, x: f64) -> f64 {
-        self.stiffness * x * power(x, self.beta)
+        let power = by_roots(x, self.beta).unwrap_or_else(|| math::powf(x, self.beta));
+        self.stiffness * x * power
+    }
+
+    /// K x^(1+β), and c x^γ by which the rate ẋ is multiplied, at overlap `x` ≥ 0.
+    #[inline]
+    pub fn elastic_and_dashpot(&self, x: f64) -> (f64, f64) {
+        let (beta, gamma) = match (by_roots(x, self.beta), by_roots(x, self.gamma)) {
+            (Some(beta), Some(gamma)) => (beta, gamma),
+            // A contact that is about to end is tried out at no overlap.
+            _ if x == 0.0 => return (0.0, if self.gamma == 0.0 { self.dashpot } else { 0.0 }),
+            _ => math::powers(x, [self.beta, self.gamma]).into(),
+        };
+        (self.stiffness * x * beta, self.dashpot * gamma)
     }
 
     /// Energy K x^(2+β)/(2+β) of the overlap `x` ≥ 0, m²/s².

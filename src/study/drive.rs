@@ -1,7 +1,7 @@
 //! An engine on its way, in slices, with somebody looking on.
 
 use crate::physics::{self, Engine, EngineError, Observation, Outcome};
-use crate::scene::{MethodName, Scene, Start};
+use crate::scene::{Law, MethodName, Scene, Start};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -9,7 +9,7 @@ use std::time::Instant;
 const BEAD_STEPS: usize = 2_000_000;
 
 /// The same for the exact method, whose steps are long and dear, and move so many beads
-/// at most, roughly: a cluster, not the column.
+/// at most, roughly, where the law is linear: a cluster, not the column.
 const EXACT_BEAD_STEPS: usize = 20_000;
 const CLUSTER: usize = 50;
 
@@ -98,7 +98,13 @@ impl<'a> Drive<'a> {
         let in_steps = |bead_steps: usize, beads: usize| (bead_steps / beads).max(1) as u64;
         let slice = match scene.method.name() {
             MethodName::Ed => EVENTS,
-            MethodName::Exact => in_steps(EXACT_BEAD_STEPS, scene.n.min(CLUSTER)),
+            MethodName::Exact => {
+                let moved = match scene.law() {
+                    Some(Law::Power(_)) => scene.n,
+                    _ => scene.n.min(CLUSTER),
+                };
+                in_steps(EXACT_BEAD_STEPS, moved)
+            }
             _ => in_steps(BEAD_STEPS, scene.n),
         };
         Self {

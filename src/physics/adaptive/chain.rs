@@ -2,7 +2,7 @@
 
 use crate::physics::column::reduced_mass;
 use crate::physics::flight::Ground;
-use crate::physics::power_law::{Spring, power};
+use crate::physics::power_law::Spring;
 
 /// A column: its contacts and masses. The state is laid out as gaps, rates, energy lost
 /// in contacts, work of the plate.
@@ -39,8 +39,8 @@ impl Chain {
         let spring = &self.springs[i];
         // A contact that is about to end may be tried out beyond its end.
         let x = (-g).max(0.0);
-        let elastic = spring.elastic(x);
-        let full = elastic - spring.dashpot * power(x, spring.gamma) * w;
+        let (elastic, dashpot) = spring.elastic_and_dashpot(x);
+        let full = elastic - dashpot * w;
         let force = if self.attraction { full } else { full.max(0.0) };
         (force, (elastic - force) * w)
     }

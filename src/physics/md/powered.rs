@@ -2,7 +2,7 @@
 
 use super::chain::Law;
 use super::lanes::Number;
-use crate::physics::power_law::{Spring, power};
+use crate::physics::power_law::Spring;
 
 /// A power law; `ATTRACTION` as in [`super::chain::Linear`].
 #[derive(Clone, Copy)]
@@ -16,8 +16,8 @@ impl<const ATTRACTION: bool> Law for Powered<ATTRACTION> {
             if g > 0.0 {
                 return (0.0, 0.0);
             }
-            let elastic = self.0.elastic(-g);
-            let full = elastic - self.0.dashpot * power(-g, self.0.gamma) * w;
+            let (elastic, dashpot) = self.0.elastic_and_dashpot(-g);
+            let full = elastic - dashpot * w;
             let force = if ATTRACTION { full } else { full.max(0.0) };
             (force, (elastic - force) * w)
         })
