@@ -6,25 +6,26 @@
 
 pub mod event_loop;
 mod guard;
+pub mod input;
 pub mod judge;
 pub mod keys;
 mod layout;
 pub mod link;
 pub mod model;
 mod numbers;
+pub mod outbox;
 mod screen;
 pub mod signals;
 pub mod theme;
+mod tmux;
+mod tty;
 pub mod update;
 pub mod view;
 mod widgets;
 
 use std::io;
-use std::thread;
 use std::time::Instant;
 
-use crossbeam_channel::{Receiver, bounded};
-use crossterm::event::Event;
 use ratatui::Terminal;
 
 use crate::live::{self, Build};
@@ -33,18 +34,25 @@ use event_loop::{Ending, EventLoop, Stage, Wires};
 use guard::Guard;
 use link::Link;
 use model::Model;
+use outbox::{Outbox, Question};
 use screen::Screen;
 use theme::Theme;
-
-/// Keys that wait for a busy screen.
-const KEYS: usize = 256;
+use tmux::Passage;
 
 /// The real terminal's manners.
 struct RealStage;
 
 impl Stage for RealStage {
+    fn can_be_continued(&self) -> bool {
+        signals::can_be_continued()
+    }
+
     fn stop_job(&mut self) {
         signals::stop_job();
+    }
+
+    fn leave_screen(&mut self) {
+        guard::leave_screen();
     }
 
     fn stop(&mut self) {
@@ -73,26 +81,27 @@ pub fn run(
         let what = what.to_owned();
         move |error: io::Error| format!("cannot {what}: {error}")
     };
-    let size = crossterm::terminal::size().map_err(cannot("learn the terminal's size"))?;
-    let (mut model, start) = Model::new(preset, speed, theme, size)?;
+    let (mut model, start) = Model::new(preset, speed, theme, screen::size())?;
     let live = live::spawn(build).map_err(cannot("start the simulation thread"))?;
     let judge = judge::spawn().map_err(cannot("start the judging thread"))?;
     let signals = signals::watch().map_err(cannot("watch signals"))?;
     guard::hook_panics();
+    let question = Question::detect(|name| std::env::var(name).ok());
+    let _passage = (question == Question::Tmux).then(Passage::open);
     let guard = Guard::take().map_err(cannot("take the terminal"))?;
-    let input = read_input().map_err(cannot("read the terminal"))?;
+    let heard = input::listen().map_err(cannot("read the terminal"))?;
+    let outbox = Outbox::spawn(question, guard::write).map_err(cannot("write to the terminal"))?;
     live.orders
         .send(start)
         .map_err(|_| "the simulation thread has ended".to_owned())?;
     let wires = Wires {
-        input,
+        heard,
         signals,
         live,
         judge,
     };
-    let writer = guard::terminal().map_err(cannot("write to the terminal"))?;
-    let (mut link, writer) = Link::new(writer, Instant::now());
-    let ended = Terminal::new(Screen::new(writer)).and_then(|mut terminal| {
+    let mut link = Link::new(outbox.clone(), Instant::now());
+    let ended = Terminal::new(Screen::new(outbox)).and_then(|mut terminal| {
         let (terminal, model, stage) = (&mut terminal, &mut model, &mut RealStage);
         EventLoop {
             terminal,
@@ -107,17 +116,4 @@ pub fn run(
     drop(guard);
     // What can no longer be drawn to has gone.
     Ok(ended.unwrap_or(Ending::Signal(signals::HANGUP)))
-}
-
-/// Reads the terminal in a thread of its own.
-fn read_input() -> io::Result<Receiver<Event>> {
-    let (sender, receiver) = bounded(KEYS);
-    thread::Builder::new().name("input".into()).spawn(move || {
-        while let Ok(event) = crossterm::event::read() {
-            if sender.send(event).is_err() {
-                return;
-            }
-        }
-    })?;
-    Ok(receiver)
 }

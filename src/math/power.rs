@@ -156,7 +156,7 @@ fn exp(x: f64, rest: f64) -> f64 {
     // The last bits of the shifted number are those of the whole one.
     let k = shifted.to_bits();
     let r = x - parts * LN_2_PART.0 + (rest - parts * LN_2_PART.1);
-    let root = &ROOTS[k as usize % SIZE];
+    let root = &ROOTS[(k << (64 - BITS) >> (64 - BITS)) as usize];
     let scale = f64::from_bits(root.bits.wrapping_add(k.wrapping_mul(SPAN)));
     let r2 = r * r;
     let more =

@@ -10,6 +10,7 @@ use ratatui::Terminal;
 use ratatui::backend::Backend;
 use ratatui::layout::Rect;
 
+use super::input::Heard;
 use super::judge::Judge;
 use super::link::Link;
 use super::model::Model;
@@ -22,8 +23,8 @@ use crate::study::verdict::Verdict;
 
 /// Everything that the loop hears and speaks to.
 pub struct Wires {
-    /// Keys and sizes of the terminal.
-    pub input: Receiver<Event>,
+    /// What the terminal says.
+    pub heard: Heard,
     /// What the system asks.
     pub signals: Receiver<Signal>,
     /// The simulation thread.
@@ -34,8 +35,12 @@ pub struct Wires {
 
 /// What the loop asks of the real terminal; a test's does nothing.
 pub trait Stage {
+    /// Whether somebody could have this process go on once it has stopped.
+    fn can_be_continued(&self) -> bool;
     /// Stop the whole job, as Ctrl-Z does.
     fn stop_job(&mut self);
+    /// Show the terminal's own screen again, and go on listening.
+    fn leave_screen(&mut self);
     /// Give the terminal back and stop this process.
     fn stop(&mut self);
     /// Take the terminal again.
@@ -59,6 +64,7 @@ enum Wake {
     Input(Event),
     InputClosed,
     Signal(Signal),
+    Receipt,
     Frame(Box<Frame>),
     FramesClosed,
     Verdict(Box<(Scene, Verdict)>),
@@ -83,33 +89,52 @@ pub struct EventLoop<'a, B: Backend> {
 }
 
 impl<B: Backend> EventLoop<'_, B> {
-    /// Draws what happens until somebody wants to leave. Without anything to draw
-    /// or to hear it sleeps.
+    /// Draws what happens until somebody wants to leave, and leaves the screen. Without
+    /// anything to draw or to hear it sleeps.
     ///
     /// # Errors
     /// When the terminal cannot be drawn to.
     pub fn run(&mut self) -> Result<Ending, B::Error> {
+        let ending = self.run_until_left();
+        self.leave_screen();
+        ending
+    }
+
+    fn run_until_left(&mut self) -> Result<Ending, B::Error> {
         let mut changed = true;
+        // It may have changed before anybody watched.
+        self.follow_size()?;
         let (mut frames_open, mut verdicts_open) = (true, true);
         loop {
-            if changed && Instant::now() >= self.link.next() {
+            let now = Instant::now();
+            if changed && now >= self.link.next(now) {
                 self.draw()?;
                 changed = false;
             }
             self.ask_for_verdict();
             let wake = self.wait(frames_open, verdicts_open);
-            changed |= !matches!(wake, Wake::Timer);
+            changed |= !matches!(wake, Wake::Timer | Wake::Receipt);
             let command = match wake {
                 Wake::Timer => None,
+                Wake::Receipt => {
+                    self.link.receipt(Instant::now());
+                    None
+                }
                 Wake::Input(event) => self.on_input(event),
                 Wake::InputClosed => return Ok(Ending::Signal(HANGUP)),
                 Wake::Signal(Signal::End(number)) => return Ok(Ending::Signal(number)),
+                Wake::Signal(Signal::Resized) => {
+                    self.follow_size()?;
+                    None
+                }
                 Wake::Signal(Signal::Stop) => {
-                    self.stage.stop();
+                    self.stop();
                     None
                 }
                 Wake::Signal(Signal::Continue) => {
                     self.stage.resume();
+                    self.link.forget(Instant::now());
+                    self.follow_size()?;
                     self.forget_screen()?;
                     None
                 }
@@ -142,7 +167,8 @@ impl<B: Backend> EventLoop<'_, B> {
     /// Waits for something to happen. Frames are fetched only when they can be drawn:
     /// until then they give way to newer ones.
     fn wait(&self, frames_open: bool, verdicts_open: bool) -> Wake {
-        let pause = self.link.next().saturating_duration_since(Instant::now());
+        let now = Instant::now();
+        let pause = self.link.next(now).saturating_duration_since(now);
         let timer = match (pause.is_zero(), self.pending.is_empty()) {
             (true, true) => never(),
             (false, true) => after(pause),
@@ -160,8 +186,10 @@ impl<B: Backend> EventLoop<'_, B> {
         } else {
             &no_verdicts
         };
+        let receipts = &self.wires.heard.receipts;
         select! {
-            recv(self.wires.input) -> event => event.map_or(Wake::InputClosed, Wake::Input),
+            recv(self.wires.heard.events) -> event => event.map_or(Wake::InputClosed, Wake::Input),
+            recv(receipts) -> receipt => receipt.map_or(Wake::InputClosed, |()| Wake::Receipt),
             recv(self.wires.signals) -> signal => signal.map_or(Wake::Timer, Wake::Signal),
             recv(frames) -> frame => frame.map_or(Wake::FramesClosed, |frame| Wake::Frame(Box::new(frame))),
             recv(verdicts) -> judged => judged.map_or(Wake::VerdictsClosed, |judged| Wake::Verdict(Box::new(judged))),
@@ -185,9 +213,10 @@ impl<B: Backend> EventLoop<'_, B> {
         match command {
             None => {}
             Some(Command::Quit) => return Ok(true),
-            Some(Command::Suspend) => self.stage.stop_job(),
+            Some(Command::Suspend) if self.stage.can_be_continued() => self.stage.stop_job(),
+            Some(Command::Suspend) => self.say_nobody_continues(),
             Some(Command::Redraw) => {
-                self.link.forget();
+                self.link.forget(Instant::now());
                 self.forget_screen()?;
             }
             Some(Command::Order(order)) => self.send(order),
@@ -219,17 +248,55 @@ impl<B: Backend> EventLoop<'_, B> {
     }
 
     fn draw(&mut self) -> Result<(), B::Error> {
-        let start = Instant::now();
         let model = &*self.model;
         self.terminal.draw(|frame| view(model, frame))?;
-        self.link.drawn(start, Instant::now());
+        self.link.drawn(Instant::now());
         Ok(())
+    }
+
+    /// Has the model be as large as the terminal.
+    fn follow_size(&mut self) -> Result<(), B::Error> {
+        let size = self.terminal.size()?;
+        if (size.width, size.height) != self.model.size {
+            let resize = Msg::Resize(size.width, size.height);
+            let command = update(self.model, resize, Instant::now());
+            self.carry_out(command)?;
+        }
+        Ok(())
+    }
+
+    /// Stops this process, if somebody can have it go on.
+    fn stop(&mut self) {
+        if self.stage.can_be_continued() {
+            self.leave_screen();
+            self.stage.stop();
+        } else {
+            self.say_nobody_continues();
+        }
+    }
+
+    fn say_nobody_continues(&mut self) {
+        let why = "not stopped: no shell is here to continue it; q quits";
+        self.model.say(why, true, Instant::now());
+    }
+
+    /// Shows the terminal's own screen, and waits for the answers that the terminal still
+    /// owes: whoever reads it next would take them for keys.
+    fn leave_screen(&mut self) {
+        self.stage.leave_screen();
+        let end = Instant::now() + self.link.longest_wait();
+        while self.link.owed() > 0 {
+            let left = end.saturating_duration_since(Instant::now());
+            if self.wires.heard.receipts.recv_timeout(left).is_err() {
+                return;
+            }
+            self.link.receipt(Instant::now());
+        }
     }
 
     /// Nothing on the screen can be relied on: the next frame is drawn on an empty one.
     fn forget_screen(&mut self) -> Result<(), B::Error> {
         let size = self.terminal.size()?;
-        self.model.size = (size.width, size.height);
         self.terminal.resize(Rect {
             x: 0,
             y: 0,

@@ -1,259 +1,355 @@
-//! When the next frame may be drawn: smoothly on a fast link, and on a slow one
+//! When the next frame may be drawn: smoothly on a fast link however long, and on a slow one
 //! without a queue of old frames between the program and the eye.
 //!
-//! A terminal never says how many bytes wait for it; a write only blocks when
-//! the queue is full, and that may be ten seconds' worth. Some queues let the
-//! writer go on as soon as there is room, others when they are empty. So the rate
-//! is the lower one of what passed since the last full queue and what passed
-//! lately, and the queue is reckoned from what was written since.
+//! A terminal's receipts tell when it has read a frame. The time that one takes beyond the
+//! shortest way there and back was spent in queues. While that is short more frames may be
+//! on their way at once, up to all that a long link holds; when it grows, fewer, down to a
+//! single one. No rate need be known, and no queue between here and the terminal, such as the
+//! megabyte that sshd takes at once, can hide the eye's end of the link.
 
 use std::collections::VecDeque;
-use std::io::{self, Write};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
+
+use super::outbox::Outbox;
 
 /// The shortest time between two frames.
 const FRAME: Duration = Duration::from_millis(33);
-/// Two writes in turn that take longer have waited for the link; one alone may be the
-/// machine doing something else.
-const BLOCKED: Duration = Duration::from_millis(50);
-/// A single write that takes longer has.
-const STUCK: Duration = Duration::from_millis(500);
-/// The part of a slow link's rate that is used.
-const SHARE: f64 = 0.8;
-/// A slow link may have this much of the future in its queue, s.
-const AHEAD: f64 = 0.25;
-/// No link is taken to be slower than this, bytes per second.
-const SLOWEST: f64 = 300.0;
-/// A link that bears this much is not slow, bytes per second.
-const FAST: f64 = 50_000.0;
-/// How fast a slow link is trusted with more while nothing blocks, per second.
-const TRUST: f64 = 0.002;
-/// Queues that were full longer apart say nothing about the rate.
-const CYCLE: Duration = Duration::from_secs(10);
-/// What was written in this time passed lately.
-const LATELY: Duration = Duration::from_secs(20);
-/// Frames are never further apart.
-const LONGEST: Duration = Duration::from_secs(10);
-/// What was written longer ago has long been read.
-const MEMORY: Duration = Duration::from_secs(60);
+/// A receipt may take this much longer than the shortest way there and back before frames
+/// are taken to wait for each other. Ordinary links differ by less from frame to frame.
+const QUEUED: Duration = Duration::from_millis(60);
+/// Bytes in flight at most: frames for a way of a second.
+const MOST: f64 = 300_000.0;
+/// A shortest way that was last met so long ago may no longer be one.
+const STALE: Duration = Duration::from_secs(20);
+/// A receipt is lost that takes so long. The first frame of a large screen takes many
+/// seconds on the slowest links.
+const LOST: Duration = Duration::from_secs(12);
+/// The first question has nothing before it.
+const FIRST: Duration = Duration::from_secs(2);
+/// So many lost receipts in turn are a terminal that gives none.
+const LOST_IN_TURN: u32 = 2;
+/// A terminal that gives no receipts gets this much, bytes per second: all links bear it.
+const CAREFUL: f64 = 900.0;
 
-/// A writer that counts its bytes.
-#[derive(Debug)]
-pub struct Metered<W> {
-    writer: W,
-    bytes: Arc<AtomicU64>,
-}
-
-impl<W: Write> Write for Metered<W> {
-    fn write(&mut self, buffer: &[u8]) -> io::Result<usize> {
-        let written = self.writer.write(buffer)?;
-        self.bytes.fetch_add(written as u64, Ordering::Relaxed);
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.writer.flush()
-    }
+/// What a terminal has been heard to say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Receipts {
+    /// Nothing yet.
+    Expected,
+    /// It gives them.
+    Given,
+    /// It does not.
+    Missing,
 }
 
 /// The link to the eye.
 #[derive(Debug)]
 pub struct Link {
-    bytes: Arc<AtomicU64>,
+    outbox: Outbox,
+    /// Bytes told of.
     told: u64,
-    took: Duration,
-    written: VecDeque<(Instant, f64)>,
-    /// When a write last found the queue full, and the bytes written until then.
-    full: Option<(Instant, f64)>,
-    /// Bytes per second of a slow link; none for a fast one.
-    rate: Option<f64>,
-    soonest: Instant,
+    receipts: Receipts,
+    /// When the frames in flight were sent, and their bytes, the oldest first.
+    in_flight: VecDeque<(Instant, f64)>,
+    /// So many bytes may be in flight before another frame. One alone always may.
+    window: f64,
+    /// The shortest way there and back, and when it was last as short.
+    way: Option<(Duration, Instant)>,
+    lost: u32,
+    /// Somebody waits for an answer: one more may be.
+    hurried: bool,
+    /// The screen's shortest time between two frames; on a careful link, when the last one
+    /// will have passed.
     next: Instant,
 }
 
 impl Link {
-    /// A link taken to be fast, and its byte-counting writer.
-    pub fn new<W: Write>(writer: W, now: Instant) -> (Link, Metered<W>) {
-        let bytes = Arc::new(AtomicU64::new(0));
-        let link = Link {
-            bytes: Arc::clone(&bytes),
+    /// The link that an outbox leads to.
+    pub fn new(outbox: Outbox, now: Instant) -> Link {
+        let mut link = Link {
+            outbox,
             told: 0,
-            took: Duration::ZERO,
-            written: VecDeque::new(),
-            full: None,
-            rate: None,
-            soonest: now,
+            receipts: Receipts::Expected,
+            in_flight: VecDeque::new(),
+            window: 0.0,
+            way: None,
+            lost: 0,
+            // The first picture need not wait for the way to be measured.
+            hurried: true,
             next: now,
         };
-        (link, Metered { writer, bytes })
+        link.ask(now);
+        link
     }
 
-    /// When the next frame may be drawn.
-    pub fn next(&self) -> Instant {
-        self.next
-    }
-
-    /// Somebody waits for an answer: the next frame is drawn as soon as may be.
-    pub fn hurry(&mut self) {
-        self.next = self.next.min(self.soonest);
-    }
-
-    /// Takes the link to be fast again, until it proves slow.
-    pub fn forget(&mut self) {
-        self.rate = None;
-        self.full = None;
-        self.written.clear();
-    }
-
-    /// A frame was drawn from `start` to `end`.
-    pub fn drawn(&mut self, start: Instant, end: Instant) {
-        let total = self.bytes.load(Ordering::Relaxed);
-        let bytes = (total - std::mem::replace(&mut self.told, total)) as f64;
-        if bytes > 0.0 {
-            self.judge(bytes, end.duration_since(start), end);
-        }
-        (self.soonest, self.next) = (end + FRAME, end + FRAME);
-        if let Some(rate) = self.rate {
-            let drained = (self.queued(rate, end) / rate - AHEAD).max(0.0);
-            let delay = |seconds: f64| end + Duration::from_secs_f64(seconds).clamp(FRAME, LONGEST);
-            self.soonest = delay(bytes / rate);
-            self.next = delay(drained.max(bytes / (SHARE * rate)));
+    /// When the next frame may be drawn, if nothing is heard before.
+    pub fn next(&self, now: Instant) -> Instant {
+        match self.in_flight.front() {
+            Some((oldest, _)) if self.is_full(now) => *oldest + self.patience(),
+            // Without receipts the nearest queue must at least have taken all.
+            _ if self.receipts == Receipts::Missing && !self.outbox.is_written() => {
+                self.next.max(now + FRAME)
+            }
+            _ => self.next,
         }
     }
 
-    /// Learns from a write of so many bytes that took so long.
-    fn judge(&mut self, bytes: f64, took: Duration, end: Instant) {
-        let since = self
-            .written
-            .back()
-            .map_or(Duration::ZERO, |(last, _)| end.duration_since(*last));
-        self.written.push_back((end, bytes));
-        while self
-            .written
-            .front()
-            .is_some_and(|(when, _)| end.duration_since(*when) > MEMORY)
-        {
-            self.written.pop_front();
-        }
-        let before = std::mem::replace(&mut self.took, took);
-        if took > STUCK || took.min(before) > BLOCKED {
-            let lately = self.passed_lately(end);
-            let cycle = self.passed_since_full(end);
-            let rate = cycle.map_or(lately, |cycle| cycle.min(lately)).max(SLOWEST);
-            self.rate = Some(rate).filter(|rate| *rate < FAST);
+    /// Whether the next frame would wait behind those in flight.
+    fn is_full(&self, now: Instant) -> bool {
+        let Some((oldest, _)) = self.in_flight.front() else {
+            return false;
+        };
+        let late = |(way, _)| now.duration_since(*oldest) > way + QUEUED;
+        let full = self.bytes_in_flight() >= self.window || self.way.is_some_and(late);
+        let excused = self.hurried && self.in_flight.len() == 1;
+        self.receipts != Receipts::Missing && full && !excused
+    }
+
+    fn bytes_in_flight(&self) -> f64 {
+        self.in_flight.iter().map(|(_, bytes)| bytes).sum()
+    }
+
+    /// How long the oldest receipt is waited for.
+    fn patience(&self) -> Duration {
+        if self.receipts == Receipts::Expected {
+            FIRST
         } else {
-            let trusted = |rate: f64| rate * (1.0 + TRUST * since.as_secs_f64());
-            self.rate = self.rate.map(trusted).filter(|rate| *rate < FAST);
+            LOST
         }
     }
 
-    /// Bytes per second over the last while, for a queue that is empty now.
-    fn passed_lately(&self, end: Instant) -> f64 {
-        let recent = self
-            .written
-            .iter()
-            .skip_while(|(when, _)| end.duration_since(*when) > LATELY);
-        let start = recent.clone().next().map_or(end, |(when, _)| *when);
-        let bytes: f64 = recent.map(|(_, bytes)| bytes).sum();
-        bytes
-            / end
-                .duration_since(start)
-                .as_secs_f64()
-                .max(BLOCKED.as_secs_f64())
+    /// Somebody waits for an answer: the next frame goes although the last may still be on
+    /// its way.
+    pub fn hurry(&mut self) {
+        self.hurried = true;
     }
 
-    /// Bytes per second since the queue was last found full, for one that is full now.
-    fn passed_since_full(&mut self, end: Instant) -> Option<f64> {
-        let total = self.told as f64;
-        let (when, before) = self.full.replace((end, total))?;
-        let since = end.duration_since(when);
-        (since < CYCLE).then(|| (total - before) / since.as_secs_f64())
-    }
-
-    /// Bytes that wait in the queue of a link of that rate.
-    fn queued(&self, rate: f64, now: Instant) -> f64 {
-        let (mut queue, mut last) = (0.0f64, None::<Instant>);
-        for &(when, bytes) in &self.written {
-            let passed = last.map_or(0.0, |last| when.duration_since(last).as_secs_f64());
-            queue = (queue - rate * passed).max(0.0) + bytes;
-            last = Some(when);
+    /// How many receipts are to come, as far as one can tell.
+    pub fn owed(&self) -> usize {
+        if self.receipts == Receipts::Missing {
+            0
+        } else {
+            self.in_flight.len()
         }
-        let passed = last.map_or(0.0, |last| now.duration_since(last).as_secs_f64());
-        (queue - rate * passed).max(0.0)
+    }
+
+    /// How long those may take.
+    pub fn longest_wait(&self) -> Duration {
+        const LONGEST: Duration = Duration::from_secs(2);
+        self.way
+            .map_or(QUEUED, |(way, _)| 2 * way + 4 * QUEUED)
+            .min(LONGEST)
+    }
+
+    /// Nothing is known of the terminal any more: it may be another one.
+    pub fn forget(&mut self, now: Instant) {
+        *self = Link {
+            told: self.told,
+            ..Link::new(self.outbox.clone(), now)
+        };
+    }
+
+    /// A frame was drawn, which may have changed nothing.
+    pub fn drawn(&mut self, now: Instant) {
+        let sent = self.outbox.sent();
+        let bytes = (sent - std::mem::replace(&mut self.told, sent)) as f64;
+        self.next = now + FRAME;
+        if bytes == 0.0 {
+            return;
+        }
+        self.give_up_lost(now);
+        self.hurried = false;
+        self.in_flight.push_back((now, bytes));
+        if self.receipts == Receipts::Missing {
+            self.next = now + Duration::from_secs_f64(bytes / CAREFUL).max(FRAME);
+            // Should a receipt come after all, it is that of the last.
+            self.in_flight.drain(..self.in_flight.len() - 1);
+        }
+    }
+
+    /// Counts receipts that will not come.
+    fn give_up_lost(&mut self, now: Instant) {
+        let patience = self.patience();
+        let is_late = |(sent, _): &(Instant, f64)| now.duration_since(*sent) >= patience;
+        if self.in_flight.front().is_some_and(is_late) {
+            self.in_flight.clear();
+            self.window = 0.0;
+            self.lost += 1;
+            if self.receipts == Receipts::Expected || self.lost >= LOST_IN_TURN {
+                self.receipts = Receipts::Missing;
+            }
+        }
+    }
+
+    /// The terminal has read what the oldest question came after.
+    pub fn receipt(&mut self, now: Instant) {
+        self.receipts = Receipts::Given;
+        self.lost = 0;
+        let in_flight = self.bytes_in_flight();
+        let Some((sent, bytes)) = self.in_flight.pop_front() else {
+            return;
+        };
+        let took = now.duration_since(sent);
+        match self.way {
+            Some((shortest, _)) if took > shortest + QUEUED => self.window /= 2.0,
+            Some((shortest, _)) => {
+                self.way = Some((shortest.min(took), now));
+                // A window that is not used proves nothing.
+                if 2.0 * in_flight >= self.window {
+                    self.window = (self.window + bytes).min(MOST);
+                }
+            }
+            None => self.way = Some((took, now)),
+        }
+        self.measure_again(now);
+    }
+
+    /// Frames that always take longer than the way may be on a way that has become longer:
+    /// a question without a frame tells.
+    fn measure_again(&mut self, now: Instant) {
+        let is_old = |(_, when): &(Duration, Instant)| now.duration_since(*when) > STALE;
+        if self.in_flight.is_empty() && self.way.as_ref().is_some_and(is_old) {
+            self.way = None;
+            self.ask(now);
+        }
+    }
+
+    fn ask(&mut self, now: Instant) {
+        self.outbox.ask();
+        self.told = self.outbox.sent();
+        self.in_flight.push_back((now, 0.0));
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::outbox::Question;
     use super::*;
+    use std::io::Write;
 
-    /// Frames of 300 bytes on a link of `rate` whose queue has room for `room` bytes
-    /// and, when full, lets the writer go on at a level of `low`: bytes per second
-    /// over a minute, and the longest queue of its second half.
-    fn load(rate: f64, room: f64, low: f64) -> (f64, f64) {
+    const MILLISECOND: Duration = Duration::from_millis(1);
+
+    /// Frames of `bytes` for a minute on a link of `rate` bytes per second whose way there and
+    /// back takes `way` ms; `answers` or not. Frames per second over the last half, and the
+    /// longest that one took from being drawn to being read, beyond half the way and its own
+    /// passage.
+    fn load(rate: f64, way: u32, bytes: usize, answers: bool) -> (f64, f64) {
         let start = Instant::now();
+        let (outbox, sent) = Outbox::new(Question::Plain);
+        let mut screen = outbox.clone();
+        let mut link = Link::new(outbox, start);
+        let seconds = |time: Instant| time.duration_since(start).as_secs_f64();
+        // When the line is free, and when receipts come back.
+        let (mut free, mut back) = (0.0_f64, VecDeque::new());
+        let (mut frames, mut longest) = (0, 0.0_f64);
         let mut now = start;
-        let (mut link, mut writer) = Link::new(io::sink(), now);
-        let (mut queued, mut longest, mut total) = (0.0f64, 0.0f64, 0.0);
-        while now.duration_since(start) < Duration::from_secs(60) {
-            let idle = link.next().saturating_duration_since(now);
-            now += idle;
-            queued = (queued - rate * idle.as_secs_f64()).max(0.0);
-            writer
-                .write_all(&[0; 300])
-                .expect("a sink takes everything");
-            queued += 300.0;
-            let surplus = if queued > room { queued - low } else { 0.0 };
-            let wait = Duration::from_secs_f64(surplus / rate);
-            queued -= surplus;
-            link.drawn(now, now + wait);
-            now += wait;
-            total += 300.0;
-            if now.duration_since(start) > Duration::from_secs(30) {
-                longest = longest.max(queued);
+        while seconds(now) < 60.0 {
+            while back.front().is_some_and(|when| *when <= seconds(now)) {
+                back.pop_front();
+                link.receipt(now);
             }
+            if link.next(now) <= now {
+                screen.write_all(&vec![0; bytes]).expect("memory takes it");
+                screen.flush().expect("memory takes it");
+                link.drawn(now);
+                if seconds(now) > 30.0 {
+                    frames += 1;
+                }
+            }
+            for frame in sent.try_iter() {
+                let passage = frame.len() as f64 / rate;
+                screen.wrote(frame.len());
+                let waits = (free - seconds(now)).max(0.0);
+                free = seconds(now) + waits + passage;
+                if seconds(now) > 30.0 {
+                    longest = longest.max(waits);
+                }
+                if answers {
+                    back.push_back(free + 1e-3 * f64::from(way));
+                }
+            }
+            now += MILLISECOND;
         }
-        (total / 60.0, longest)
+        (f64::from(frames) / 30.0, longest)
     }
 
+    /// However long it is, a fast link gets every frame.
     #[test]
-    fn a_fast_link_gets_every_frame() {
-        assert!(load(1e7, 4096.0, 4096.0).0 > 8_000.0);
+    fn a_fast_link_is_filled() {
+        for way in [0, 1, 30, 300, 800] {
+            let (rate, queue) = load(1e6, way, 1_000, true);
+            assert!(rate > 28.0, "{rate} frames per second at {way} ms");
+            assert!(queue < 0.01, "{queue} s in the queue at {way} ms");
+        }
     }
 
+    /// The next frame never waits for more than a part of the last.
     #[test]
-    fn a_slow_link_is_used_and_its_queue_runs_empty() {
-        for (room, low) in [(12_288.0, 12_288.0), (32_768.0, 0.0)] {
-            let (used, queue) = load(2_000.0, room, low);
+    fn a_slow_link_is_used_and_has_no_queue() {
+        for (rate, way, bytes) in [
+            (2_000.0, 300, 600),
+            (1_200.0, 600, 600),
+            (9_600.0, 100, 800),
+        ] {
+            let passage = bytes as f64 / rate;
+            let (frames, queue) = load(rate, way, bytes, true);
+            let alone = 1.0 / (passage + 1e-3 * f64::from(way));
+            assert!(frames > 0.8 * alone, "{frames} frames per second at {rate}");
             assert!(
-                (1_000.0..2_300.0).contains(&used),
-                "{used} of 2000 bytes per second"
+                queue < 0.1 + 0.5 * passage,
+                "{queue} s in the queue at {rate}"
             );
-            assert!(queue < 2_000.0, "{queue} bytes wait");
         }
     }
 
+    /// Frames that become ten times larger find no room for as many of them as before.
     #[test]
-    fn a_hiccup_costs_little() {
-        let mut now = Instant::now();
-        let (mut link, mut writer) = Link::new(io::sink(), now);
-        for k in 0..600 {
-            writer
-                .write_all(&[0; 300])
-                .expect("a sink takes everything");
-            let took = Duration::from_secs(if k == 500 { 3 } else { 0 });
-            link.drawn(now, now + took);
-            now = link.next();
+    fn what_small_frames_have_proved_does_not_count_for_large_ones() {
+        let now = Instant::now();
+        let (outbox, _sent) = Outbox::new(Question::Plain);
+        let mut screen = outbox.clone();
+        let mut link = Link::new(outbox, now);
+        let mut time = now;
+        link.receipt(time);
+        for _ in 0..200 {
+            time += FRAME;
+            screen.write_all(&[0; 60]).expect("memory takes it");
+            screen.flush().expect("memory takes it");
+            link.drawn(time);
+            link.receipt(time + MILLISECOND);
         }
-        writer
-            .write_all(&[0; 300])
-            .expect("a sink takes everything");
-        link.drawn(now, now);
-        assert!(link.next() - now < 2 * FRAME);
-        link.forget();
-        link.drawn(now, now);
-        assert_eq!(link.next(), now + FRAME);
+        assert!(link.window < 1_000.0, "{} bytes", link.window);
+    }
+
+    #[test]
+    fn a_silent_terminal_gets_what_any_link_bears() {
+        let (frames, _) = load(1e6, 0, 600, false);
+        assert!((1.0..1.6).contains(&frames), "{frames} frames per second");
+        let (frames, queue) = load(1_200.0, 600, 600, false);
+        assert!(frames > 1.0 && queue < 0.1, "{frames} {queue}");
+    }
+
+    #[test]
+    fn a_key_may_overtake_one_frame_and_no_more() {
+        let now = Instant::now();
+        let (outbox, _sent) = Outbox::new(Question::Plain);
+        let mut screen = outbox.clone();
+        let mut link = Link::new(outbox, now);
+        let mut draw = |link: &mut Link, when| {
+            screen.write_all(&[0; 600]).expect("memory takes it");
+            screen.flush().expect("memory takes it");
+            link.drawn(when);
+        };
+        link.receipt(now + MILLISECOND);
+        let later = now + 2 * FRAME;
+        draw(&mut link, later);
+        let at = later + FRAME;
+        assert!(link.next(at) > at);
+        link.hurry();
+        assert!(link.next(at) <= at);
+        draw(&mut link, at);
+        link.hurry();
+        let at = at + FRAME;
+        assert!(link.next(at) > at, "keys that repeat are not queued");
     }
 }

@@ -3,8 +3,8 @@
 //! Between frames it keeps in mind where the cursor stands and which style is
 //! set. Colours are the sixteen classic ones by their short codes. A frame that
 //! changes something leaves in one write, inside one synchronised update; a
-//! frame that changes nothing leaves nothing. It never asks the terminal for
-//! anything but its size.
+//! frame that changes nothing leaves nothing. It asks the terminal for
+//! nothing.
 
 use std::io::{self, Write};
 
@@ -13,13 +13,17 @@ use ratatui::buffer::Cell;
 use ratatui::layout::{Position, Size};
 use ratatui::style::{Color, Modifier};
 
+use super::tty;
+
 const BEGIN_FRAME: &[u8] = b"\x1b[?2026h";
 const END_FRAME: &[u8] = b"\x1b[?2026l";
 /// Size of a terminal that does not know its own.
-const FALLBACK: Size = Size {
-    width: 80,
-    height: 24,
-};
+const FALLBACK: (u16, u16) = (80, 24);
+
+/// Columns and rows that can be drawn on.
+pub fn size() -> (u16, u16) {
+    tty::size().unwrap_or(FALLBACK)
+}
 
 /// A terminal behind a writer.
 #[derive(Debug)]
@@ -146,9 +150,14 @@ impl<W: Write> Backend for Screen<W> {
             let used = MODIFIERS
                 .iter()
                 .fold(Modifier::empty(), |all, (modifier, _)| all | *modifier);
+            let mut modifier = cell.modifier & used;
+            if modifier.contains(Modifier::BOLD) {
+                // Terminals disagree about what both together are.
+                modifier.remove(Modifier::DIM);
+            }
             self.set_style(Pen {
                 foreground: cell.fg,
-                modifier: cell.modifier & used,
+                modifier,
             });
             self.frame.extend_from_slice(cell.symbol().as_bytes());
             self.cursor = Some(Position { x: x + 1, y });
@@ -199,10 +208,7 @@ impl<W: Write> Backend for Screen<W> {
     }
 
     fn size(&self) -> io::Result<Size> {
-        let (width, height) = crossterm::terminal::size()?;
-        if width == 0 || height == 0 {
-            return Ok(FALLBACK);
-        }
+        let (width, height) = size();
         Ok(Size { width, height })
     }
 

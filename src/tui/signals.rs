@@ -7,6 +7,8 @@ pub enum Signal {
     Stop,
     /// Stopped before, running again.
     Continue,
+    /// The terminal has another size.
+    Resized,
     /// Give the terminal back and end, with exit code 128 + n.
     End(i32),
 }
@@ -15,7 +17,7 @@ pub enum Signal {
 pub const HANGUP: i32 = 1;
 
 #[cfg(unix)]
-pub use unix::{stop_job, stop_now, watch};
+pub use unix::{can_be_continued, stop_job, stop_now, watch};
 
 #[cfg(unix)]
 mod unix {
@@ -24,26 +26,33 @@ mod unix {
     use std::time::Duration;
 
     use crossbeam_channel::{Receiver, Sender, bounded};
-    use rustix::event::{PollFd, PollFlags, poll};
-    use rustix::process::{getpid, kill_current_process_group, kill_process};
-    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGTERM, SIGTSTP};
+    use rustix::process::{getpgrp, getsid, kill_current_process_group};
+    use signal_hook::consts::{
+        SIGABRT, SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1,
+        SIGUSR2, SIGVTALRM, SIGWINCH, SIGXCPU, SIGXFSZ,
+    };
     use signal_hook::iterator::Signals;
-    use signal_hook::low_level::emulate_default_handler;
+    use signal_hook::low_level::{emulate_default_handler, register};
 
-    use super::{HANGUP, Signal};
+    use super::Signal;
     use crate::tui::guard;
 
-    /// The screen thread has this long to end by itself, twice.
-    const PATIENCE: Duration = Duration::from_millis(300);
+    /// Signals that would end the program, and do so after the terminal is given back.
+    const ENDS: &[i32] = &[
+        SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU,
+        SIGXFSZ,
+    ];
 
-    /// Starts to watch signals and the terminal.
+    /// The screen thread has this long to end by itself.
+    const PATIENCE: Duration = Duration::from_millis(1500);
+
+    /// Starts to watch signals.
     ///
     /// # Errors
     /// When the system refuses a handler or a thread.
     pub fn watch() -> io::Result<Receiver<Signal>> {
         let (sender, receiver) = bounded(16);
-        let mut signals = Signals::new([SIGTERM, SIGINT, SIGHUP, SIGTSTP, SIGCONT])?;
-        let hangups = sender.clone();
+        let mut signals = Signals::new([SIGTSTP, SIGCONT, SIGWINCH].iter().chain(ENDS))?;
         thread::Builder::new()
             .name("signals".into())
             .spawn(move || {
@@ -51,17 +60,25 @@ mod unix {
                     match signal {
                         SIGTSTP => tell(&sender, Signal::Stop),
                         SIGCONT => tell(&sender, Signal::Continue),
+                        SIGWINCH => tell(&sender, Signal::Resized),
                         number => end(&sender, number),
                     }
                 }
             })?;
-        thread::Builder::new()
-            .name("hangup".into())
-            .spawn(move || {
-                wait_for_hangup();
-                end(&hangups, HANGUP);
-            })?;
+        leave_on_abort()?;
         Ok(receiver)
+    }
+
+    /// Has a failed allocation, which ends the program by SIGABRT at once, leave the terminal
+    /// whole: no other thread gets a chance after the handler returns.
+    #[allow(unsafe_code, reason = "proved below")]
+    fn leave_on_abort() -> io::Result<()> {
+        // SAFETY: a handler must do only what is safe at any point of the program.
+        // `leave_at_once` reads and swaps atomics, and calls write(2), tcflush(3) and
+        // tcsetattr(3), all on POSIX's list of functions that are; it allocates nothing, takes
+        // no lock, and does not panic. It does not return to the program: after it abort(3)
+        // goes on to end it.
+        unsafe { register(SIGABRT, guard::leave_at_once) }.map(|_| ())
     }
 
     fn tell(sender: &Sender<Signal>, signal: Signal) {
@@ -69,34 +86,22 @@ mod unix {
         let _ = sender.try_send(signal);
     }
 
-    /// Asks the screen thread to end. When it waits for a terminal that takes no more
-    /// bytes, what is queued is dropped; when that does not help, the process ends.
+    /// Asks the screen thread to end; when it does not, the process ends.
     fn end(sender: &Sender<Signal>, number: i32) {
         tell(sender, Signal::End(number));
         let _ = thread::Builder::new()
             .name("impatience".into())
             .spawn(move || {
                 thread::sleep(PATIENCE);
-                guard::drop_queue();
-                // Room in the queue wakes no writer, but a signal does.
-                let _ = kill_process(getpid(), rustix::process::Signal::CONT);
-                thread::sleep(PATIENCE);
                 guard::leave_without_writing();
                 std::process::exit(128 + number);
             });
     }
 
-    /// Returns when the terminal has gone. No event is asked for, so that only its
-    /// end wakes this thread.
-    fn wait_for_hangup() {
-        let terminal = rustix::stdio::stdin();
-        loop {
-            let mut watched = [PollFd::new(&terminal, PollFlags::empty())];
-            match poll(&mut watched, None) {
-                Ok(0) | Err(rustix::io::Errno::INTR) => {}
-                Ok(_) | Err(_) => return,
-            }
-        }
+    /// Whether a shell looks after this job, and can have it go on once it has stopped. The
+    /// group of the session's leader (`ssh -t host beadlab`, `xterm -e beadlab`) is nobody's job.
+    pub fn can_be_continued() -> bool {
+        getsid(None).is_ok_and(|leader| leader != getpgrp())
     }
 
     /// Stops the whole job, as Ctrl-Z does on a terminal that is not in raw mode:
@@ -114,7 +119,7 @@ mod unix {
 }
 
 #[cfg(not(unix))]
-pub use elsewhere::{stop_job, stop_now, watch};
+pub use elsewhere::{can_be_continued, stop_job, stop_now, watch};
 
 #[cfg(not(unix))]
 mod elsewhere {
@@ -130,6 +135,11 @@ mod elsewhere {
     /// None.
     pub fn watch() -> io::Result<Receiver<Signal>> {
         Ok(never())
+    }
+
+    /// There are no jobs.
+    pub fn can_be_continued() -> bool {
+        false
     }
 
     /// There are no jobs to stop.

@@ -2,7 +2,6 @@
 //! typed by a script, and engines that misbehave on purpose.
 #![allow(dead_code, reason = "each test file uses a part")]
 
-use std::io;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -10,11 +9,13 @@ use beadlab::live::{self, Build, Frame, Live, Order, Sweep};
 use beadlab::physics::{self, Engine, EngineError, Handover, Observation, Outcome, State};
 use beadlab::scene::{Preset, Scene};
 use beadlab::tui::event_loop::{Ending, EventLoop, Stage, Wires};
+use beadlab::tui::input::Heard;
 use beadlab::tui::judge;
 use beadlab::tui::link::Link;
 use beadlab::tui::model::Model;
+use beadlab::tui::outbox::{Outbox, Question};
 use beadlab::tui::theme::Theme;
-use crossbeam_channel::{Sender, bounded, unbounded};
+use crossbeam_channel::{Sender, bounded, never, unbounded};
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -35,7 +36,11 @@ const LONG: Duration = Duration::from_secs(20);
 pub struct NoStage;
 
 impl Stage for NoStage {
+    fn can_be_continued(&self) -> bool {
+        true
+    }
     fn stop_job(&mut self) {}
+    fn leave_screen(&mut self) {}
     fn stop(&mut self) {}
     fn resume(&mut self) {}
 }
@@ -89,9 +94,13 @@ pub fn play_preset(
     let (_keep, signals) = bounded(1);
     let mut terminal =
         Terminal::new(TestBackend::new(size.0, size.1)).expect("memory is to be had");
-    let (mut link, _) = Link::new(io::sink(), Instant::now());
+    let (outbox, _) = Outbox::new(Question::Plain);
+    let mut link = Link::new(outbox, Instant::now());
     let wires = Wires {
-        input,
+        heard: Heard {
+            events: input,
+            receipts: never(),
+        },
         signals,
         live,
         judge: judge::spawn().expect("threads are to be had"),

@@ -1,0 +1,91 @@
+//! What the terminal says: keys, pastes, and receipts, which are no keys.
+
+#[cfg(unix)]
+mod parser;
+
+use std::io;
+use std::thread;
+use std::time::Instant;
+
+use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
+use crossterm::event::Event;
+
+/// Keys that wait for a busy screen.
+const KEYS: usize = 256;
+
+/// What is heard of the terminal.
+#[derive(Debug)]
+pub struct Heard {
+    /// Keys, pastes and sizes; ends with the terminal.
+    pub events: Receiver<Event>,
+    /// Answers to the question how the terminal is.
+    pub receipts: Receiver<()>,
+}
+
+/// Listens to the terminal in a thread of its own.
+///
+/// # Errors
+/// When the system refuses one.
+pub fn listen() -> io::Result<Heard> {
+    let (events, heard) = bounded(KEYS);
+    let (receipts, given) = unbounded();
+    thread::Builder::new()
+        .name("input".into())
+        .spawn(move || read(&events, &receipts))?;
+    Ok(Heard {
+        events: heard,
+        receipts: given,
+    })
+}
+
+/// Reads until the terminal or the screen thread has gone. The question whether there is
+/// something to read is asked each time anew, so that no wake-up can be missed.
+#[cfg(unix)]
+fn read(events: &Sender<Event>, receipts: &Sender<()>) {
+    use parser::{Parser, Said};
+    use rustix::event::{PollFd, PollFlags, Timespec, poll};
+    use rustix::io::Errno;
+
+    let terminal = rustix::stdio::stdin();
+    let mut parser = Parser::new(Instant::now());
+    let mut buffer = [0; 4096];
+    loop {
+        let limit = parser.deadline().map(|deadline| {
+            let left = deadline.saturating_duration_since(Instant::now());
+            Timespec {
+                tv_sec: 0,
+                tv_nsec: left.subsec_nanos().into(),
+            }
+        });
+        let mut watched = [PollFd::new(&terminal, PollFlags::IN)];
+        let said = match poll(&mut watched, limit.as_ref()) {
+            Ok(0) => parser.expire(),
+            Ok(_) => match rustix::io::read(terminal, &mut buffer) {
+                Ok(count @ 1..) => parser.feed(&buffer[..count], Instant::now()),
+                Err(Errno::INTR | Errno::AGAIN) => continue,
+                // Its end, or that it has gone.
+                Ok(0) | Err(_) => return,
+            },
+            Err(Errno::INTR) => continue,
+            Err(_) => return,
+        };
+        for said in said {
+            let sent = match said {
+                Said::Event(event) => events.send(event).is_ok(),
+                Said::Receipt => receipts.send(()).is_ok(),
+            };
+            if !sent {
+                return;
+            }
+        }
+    }
+}
+
+#[cfg(not(unix))]
+fn read(events: &Sender<Event>, _receipts: &Sender<()>) {
+    while let Ok(event) = crossterm::event::read() {
+        if events.send(event).is_err() {
+            return;
+        }
+    }
+}

@@ -1,0 +1,554 @@
+//! Bytes of a terminal, as keys and receipts.
+//!
+//! The grammar of control sequences is [`vte`]'s, a terminal emulator's; here is what a
+//! terminal sends in it. A sequence that does not end in time is dropped, an unknown one
+//! ignored: neither swallows the keys that follow, nor acts as one.
+
+use std::time::{Duration, Instant};
+
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
+use vte::{Params, Perform};
+
+/// A lone Esc is a key after this time. A terminal sends its sequences at once.
+const ESCAPE: Duration = Duration::from_millis(50);
+/// A sequence that has not ended after this time will not.
+const SEQUENCE: Duration = Duration::from_millis(250);
+/// Links deliver long pastes in pieces.
+const PASTE: Duration = Duration::from_millis(400);
+/// A longer paste is of no use here.
+const LONGEST_PASTE: usize = 4096;
+
+const ESC: u8 = 0x1b;
+const CTRL_C: u8 = 3;
+
+/// What a terminal has said.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Said {
+    /// A key, or a paste.
+    Event(Event),
+    /// It has read all that was written before the question.
+    Receipt,
+}
+
+/// The beginning of a sequence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Pending {
+    /// None.
+    #[default]
+    Nothing,
+    /// Esc alone.
+    Escape,
+    /// Esc at the end of a string, whose terminator it begins.
+    End,
+    /// Esc and a character that begins a sequence, or was typed with Alt.
+    Introduced(u8),
+    /// More of it.
+    Open,
+}
+
+/// Takes bytes apart.
+pub struct Parser {
+    grammar: vte::Parser,
+    pending: Pending,
+    /// Since when more bytes are waited for.
+    since: Instant,
+    listener: Listener,
+}
+
+impl Parser {
+    /// One that has heard nothing.
+    pub fn new(now: Instant) -> Parser {
+        Parser {
+            grammar: vte::Parser::new(),
+            pending: Pending::Nothing,
+            since: now,
+            listener: Listener::default(),
+        }
+    }
+
+    /// What further bytes say.
+    pub fn feed(&mut self, bytes: &[u8], now: Instant) -> Vec<Said> {
+        if self.deadline().is_some_and(|deadline| now >= deadline) {
+            self.give_up();
+        }
+        for &byte in bytes {
+            if byte == ESC || self.listener.paste.is_some() || self.pending == Pending::Nothing {
+                self.since = now;
+            }
+            self.take(byte);
+        }
+        self.said()
+    }
+
+    /// When to wait no longer for the rest of what has begun; for ever if nothing has.
+    pub fn deadline(&self) -> Option<Instant> {
+        let limit = match self.pending {
+            Pending::Escape | Pending::End => ESCAPE,
+            Pending::Introduced(_) | Pending::Open => SEQUENCE,
+            Pending::Nothing if self.listener.paste.is_some() => PASTE,
+            Pending::Nothing if self.listener.skip > 0 => SEQUENCE,
+            Pending::Nothing => return None,
+        };
+        Some(self.since + limit)
+    }
+
+    /// What it means that nothing has come until the deadline.
+    pub fn expire(&mut self) -> Vec<Said> {
+        self.give_up();
+        self.said()
+    }
+
+    fn said(&mut self) -> Vec<Said> {
+        std::mem::take(&mut self.listener.said)
+    }
+
+    fn give_up(&mut self) {
+        match self.pending {
+            Pending::Escape => self.listener.escape(),
+            Pending::Introduced(byte) => self.listener.with_alt(byte),
+            Pending::Nothing => self.listener.end_paste(),
+            Pending::End | Pending::Open => {}
+        }
+        self.restart();
+    }
+
+    fn restart(&mut self) {
+        self.grammar = vte::Parser::new();
+        self.pending = Pending::Nothing;
+        self.listener.skip = 0;
+        self.listener.third = false;
+    }
+
+    fn take(&mut self, byte: u8) {
+        if byte == CTRL_C {
+            // Nothing keeps it from stopping the program, not even an open string.
+            self.restart();
+            self.listener.paste = None;
+        } else if self.pending == Pending::Escape {
+            match byte {
+                ESC => self.listener.escape(),
+                // These would begin a sequence that no terminal sends.
+                b' '..=b'/' => {
+                    self.restart();
+                    return self.listener.with_alt(byte);
+                }
+                // A key of its own after Esc.
+                0..=0x1f | 0x7f.. => {
+                    self.listener.escape();
+                    self.restart();
+                }
+                _ => {}
+            }
+        }
+        if byte == ESC {
+            self.listener.skip = 0;
+            self.listener.third = false;
+        }
+        self.listener.heard = Heard::Nothing;
+        self.grammar.advance(&mut self.listener, &[byte]);
+        self.pending = match (self.listener.heard, self.pending) {
+            (Heard::String, _) if byte == ESC => Pending::End,
+            _ if byte == ESC => Pending::Escape,
+            (Heard::Introducer, _) | (Heard::Nothing, Pending::Escape) => Pending::Introduced(byte),
+            (Heard::Nothing, Pending::Introduced(_) | Pending::Open | Pending::End) => {
+                Pending::Open
+            }
+            // A control character acts in the midst of a sequence, and ends none.
+            (Heard::Control, pending) => pending,
+            _ => Pending::Nothing,
+        };
+    }
+}
+
+/// What the last byte did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Heard {
+    /// It was taken in.
+    #[default]
+    Nothing,
+    /// It began a sequence of three characters.
+    Introducer,
+    /// It was a control character.
+    Control,
+    /// It ended a string.
+    String,
+    /// It was or ended something else.
+    Something,
+}
+
+/// Hears the grammar's parts.
+#[derive(Default)]
+struct Listener {
+    said: Vec<Said>,
+    heard: Heard,
+    /// The text that is being pasted.
+    paste: Option<String>,
+    /// So many characters still belong to a sequence that the grammar does not know.
+    skip: u32,
+    /// The next character is the last of three: Esc O and this.
+    third: bool,
+}
+
+impl Listener {
+    fn key(&mut self, code: KeyCode, modifiers: KeyModifiers) {
+        let event = Event::Key(KeyEvent::new(code, modifiers));
+        self.said.push(Said::Event(event));
+    }
+
+    fn escape(&mut self) {
+        if self.paste.is_none() {
+            self.key(KeyCode::Esc, KeyModifiers::NONE);
+        }
+    }
+
+    fn with_alt(&mut self, byte: u8) {
+        if self.paste.is_some() {
+            return;
+        }
+        self.character(char::from(byte), KeyModifiers::ALT);
+    }
+
+    fn character(&mut self, c: char, mut modifiers: KeyModifiers) {
+        if c.is_uppercase() {
+            modifiers |= KeyModifiers::SHIFT;
+        }
+        self.key(KeyCode::Char(c), modifiers);
+    }
+
+    fn end_paste(&mut self) {
+        if let Some(text) = self.paste.take() {
+            self.said.push(Said::Event(Event::Paste(text)));
+        }
+    }
+
+    /// A key by its number in `CSI number ; modifiers ~`.
+    fn numbered(&mut self, number: u16, modifiers: KeyModifiers) {
+        let code = match number {
+            1 | 7 => KeyCode::Home,
+            2 => KeyCode::Insert,
+            3 => KeyCode::Delete,
+            4 | 8 => KeyCode::End,
+            5 => KeyCode::PageUp,
+            6 => KeyCode::PageDown,
+            200 => {
+                self.paste = Some(String::new());
+                return;
+            }
+            _ => return,
+        };
+        self.key(code, modifiers);
+    }
+
+    /// A key by its character, after the protocols of kitty and of xterm.
+    fn coded(&mut self, code: u16, mut modifiers: KeyModifiers) {
+        let Some(mut c) = char::from_u32(code.into()) else {
+            return;
+        };
+        match c {
+            '\r' => return self.key(KeyCode::Enter, modifiers),
+            '\t' => return self.key(KeyCode::Tab, modifiers),
+            '\x1b' => return self.key(KeyCode::Esc, modifiers),
+            '\x7f' | '\x08' => return self.key(KeyCode::Backspace, modifiers),
+            _ if c.is_control() || ('\u{e000}'..='\u{f8ff}').contains(&c) => return,
+            _ => {}
+        }
+        if modifiers.contains(KeyModifiers::SHIFT) && !c.is_uppercase() {
+            c = c.to_ascii_uppercase();
+        }
+        modifiers.remove(KeyModifiers::SHIFT);
+        self.character(c, modifiers);
+    }
+}
+
+/// Modifiers from their number, 1 and a sum of powers of two.
+fn modifiers(number: u16) -> KeyModifiers {
+    let bits = number.saturating_sub(1);
+    [
+        (1, KeyModifiers::SHIFT),
+        (2, KeyModifiers::ALT),
+        (4, KeyModifiers::CONTROL),
+    ]
+    .into_iter()
+    .filter(|(bit, _)| bits & bit != 0)
+    .fold(KeyModifiers::NONE, |all, (_, modifier)| all | modifier)
+}
+
+/// The key that the last character of `CSI … letter` and of `Esc O letter` names.
+fn lettered(letter: char) -> Option<KeyCode> {
+    Some(match letter {
+        'A' => KeyCode::Up,
+        'B' => KeyCode::Down,
+        'C' => KeyCode::Right,
+        'D' => KeyCode::Left,
+        'F' => KeyCode::End,
+        'H' => KeyCode::Home,
+        'M' => KeyCode::Enter,
+        'Z' => KeyCode::BackTab,
+        _ => return None,
+    })
+}
+
+impl Perform for Listener {
+    fn print(&mut self, c: char) {
+        self.heard = Heard::Something;
+        if let Some(text) = &mut self.paste {
+            if text.len() < LONGEST_PASTE {
+                text.push(c);
+            }
+        } else if std::mem::take(&mut self.third) {
+            if let Some(code) = lettered(c) {
+                self.key(code, KeyModifiers::NONE);
+            }
+        } else if self.skip > 0 {
+            self.skip -= 1;
+        } else if c == '\x7f' {
+            self.key(KeyCode::Backspace, KeyModifiers::NONE);
+        } else if c != char::REPLACEMENT_CHARACTER {
+            self.character(c, KeyModifiers::NONE);
+        }
+    }
+
+    fn execute(&mut self, byte: u8) {
+        self.heard = Heard::Control;
+        if let Some(text) = &mut self.paste {
+            if text.len() < LONGEST_PASTE {
+                text.push(char::from(byte));
+            }
+            return;
+        }
+        match byte {
+            b'\r' | b'\n' => self.key(KeyCode::Enter, KeyModifiers::NONE),
+            b'\t' => self.key(KeyCode::Tab, KeyModifiers::NONE),
+            8 | 0x7f => self.key(KeyCode::Backspace, KeyModifiers::NONE),
+            1..=26 => self.key(
+                KeyCode::Char(char::from(b'a' - 1 + byte)),
+                KeyModifiers::CONTROL,
+            ),
+            _ => {}
+        }
+    }
+
+    fn csi_dispatch(&mut self, params: &Params, intermediates: &[u8], _: bool, last: char) {
+        self.heard = Heard::Something;
+        let mut params = params.iter();
+        let first = params.next().unwrap_or(&[]);
+        let number = first.first().copied().unwrap_or(0);
+        let second = params.next().unwrap_or(&[1]);
+        let held = modifiers(second.first().copied().unwrap_or(1));
+        if self.paste.is_some() {
+            if (number, last) == (201, '~') {
+                self.end_paste();
+            }
+            return;
+        }
+        if !intermediates.is_empty() {
+            return;
+        }
+        // Kitty tells of keys that are let go when asked to: third, of the second number.
+        let let_go = second.get(1) == Some(&3);
+        match last {
+            // 0: ready; 3: a malfunction, but of a terminal that has read so far.
+            'n' if matches!(number, 0 | 3) => self.said.push(Said::Receipt),
+            _ if let_go => {}
+            '~' if number == 27 => {
+                if let Some(&[code]) = params.next() {
+                    self.coded(code, held);
+                }
+            }
+            '~' => self.numbered(number, held),
+            'u' => self.coded(number, held),
+            // Function keys of the Linux console, and the mouse of old terminals, which goes
+            // on for three characters.
+            '[' => self.skip = 1,
+            'M' => self.skip = 3,
+            _ => {
+                if let Some(code) = lettered(last) {
+                    self.key(code, held);
+                }
+            }
+        }
+    }
+
+    fn esc_dispatch(&mut self, _: &[u8], _: bool, byte: u8) {
+        self.heard = Heard::Something;
+        match byte {
+            _ if self.paste.is_some() => {}
+            b'O' => {
+                self.third = true;
+                self.heard = Heard::Introducer;
+            }
+            // The end of a string.
+            b'\\' => {}
+            _ => self.with_alt(byte),
+        }
+    }
+
+    fn osc_dispatch(&mut self, _: &[&[u8]], _: bool) {
+        self.heard = Heard::String;
+    }
+
+    fn unhook(&mut self) {
+        self.heard = Heard::String;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn after(milliseconds: u64, start: Instant) -> Instant {
+        start + Duration::from_millis(milliseconds)
+    }
+
+    /// What is said, in words; `|` in the text is a pause of half a second.
+    fn said(text: &str) -> String {
+        let mut now = Instant::now();
+        let mut parser = Parser::new(now);
+        let mut all = Vec::new();
+        for (k, part) in text.split('|').enumerate() {
+            if k > 0 {
+                if parser.deadline().is_some() {
+                    all.extend(parser.expire());
+                }
+                now = after(500, now);
+            }
+            all.extend(parser.feed(part.as_bytes(), now));
+        }
+        let words: Vec<String> = all.iter().map(word).collect();
+        words.join(" ")
+    }
+
+    fn word(said: &Said) -> String {
+        match said {
+            Said::Receipt => "receipt".to_owned(),
+            Said::Event(Event::Paste(text)) => format!("paste:{text}"),
+            Said::Event(Event::Key(key)) => {
+                let name = match key.code {
+                    KeyCode::Char(c) => c.to_string(),
+                    code => format!("{code:?}"),
+                };
+                let held = [
+                    (KeyModifiers::CONTROL, "C-"),
+                    (KeyModifiers::ALT, "A-"),
+                    (KeyModifiers::SHIFT, "S-"),
+                ];
+                let held = held.iter().filter(|(one, _)| key.modifiers.contains(*one));
+                let held: String = held.map(|(_, text)| *text).collect();
+                held + &name
+            }
+            Said::Event(event) => format!("{event:?}"),
+        }
+    }
+
+    #[test]
+    fn keys_are_what_terminals_send_for_them() {
+        for (bytes, keys) in [
+            ("qE \r\t\x7f", "q S-E   Enter Tab Backspace"),
+            ("\x03\x1a\x0c", "C-c C-z C-l"),
+            ("\x1b[A\x1b[B\x1bOC\x1bOD", "Up Down Right Left"),
+            (
+                "\x1b[H\x1bOF\x1b[1~\x1b[4~\x1b[3~",
+                "Home End Home End Delete",
+            ),
+            ("\x1b[5~\x1b[6~\x1b[Z", "PageUp PageDown S-BackTab"),
+            ("\x1b[1;2C\x1b[1;5D\x1b[1;3A", "S-Right C-Left A-Up"),
+            ("\x1b|", "Esc"),
+            ("\x1b|q", "Esc q"),
+            ("\x1b\x1b[A", "Esc Up"),
+            ("\x1bq\x1bE", "A-q A-S-E"),
+            // Kitty's way: Alt-Shift-t, Esc, q let go, é; and xterm's.
+            ("\x1b[116;4u\x1b[27u\x1b[113;1:3u\x1b[233u", "A-S-T Esc é"),
+            ("\x1b[27;5;99~\x1b[27;2;116~", "C-c S-T"),
+            // The Linux console's F1 to F5, and functions of which nothing is known.
+            ("\x1b[[Aq\x1b[15~q\x1b[1;2Pq", "q q q"),
+            ("ε\u{e5}", "ε å"),
+        ] {
+            assert_eq!(
+                said(bytes),
+                keys.replace("S-BackTab", "BackTab"),
+                "{bytes:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_key_that_is_joined_to_esc_is_still_there() {
+        for (bytes, keys) in [
+            ("\x1b\r", "Esc Enter"),
+            ("\x1b\x03", "C-c"),
+            ("\x1b é", "A-  é"),
+            ("\x1bé", "Esc é"),
+            ("\x1b[|q", "A-[ q"),
+            ("\x1bO|q", "A-S-O q"),
+            ("\x1b]|q", "A-] q"),
+            ("\x1b+q", "A-+ q"),
+        ] {
+            assert_eq!(said(bytes), keys, "{bytes:?}");
+        }
+    }
+
+    #[test]
+    fn answers_are_no_keys() {
+        for answer in [
+            "\x1b[?62;22c",
+            "\x1b[>41;371;0c",
+            "\x1b[24;80R",
+            "\x1b[?997;1n",
+            "\x1b]11;rgb:0000/0000/0000\x1b\\",
+            "\x1b]11;rgb:ffff/ffff/ffff\x07",
+            "\x1bP>|xterm(371)\x1b\\",
+            "\x1bP1+r436f=3830\x1b\\",
+            "\x1b[?2026;2$y",
+            "\x1b[?1u",
+            "\x1b_Gi=1;OK\x1b\\",
+            "\x1b[8;24;80t",
+            "\x1b[I\x1b[O",
+            "\x1b[M q!\x1b[<0;3;4M",
+        ] {
+            // As a whole, and byte by byte.
+            let text = answer.replace('|', "!");
+            assert_eq!(said(&text), "", "{answer:?}");
+            let (now, mut all) = (Instant::now(), Vec::new());
+            let mut parser = Parser::new(now);
+            for byte in text.bytes() {
+                all.extend(parser.feed(&[byte], now));
+            }
+            assert_eq!(all, [], "{answer:?}");
+            assert_eq!(said(&(text + "|q")), "q", "{answer:?}");
+        }
+        assert_eq!(said("\x1b[0nq\x1b[3n"), "receipt q receipt");
+    }
+
+    #[test]
+    fn what_does_not_end_swallows_nothing_later() {
+        for open in [
+            "\x1b[1;",
+            "\x1b[?99999999;1",
+            "\x1b]11;rgb:0000",
+            "\x1bP1+r",
+            "\x1b_G",
+            "\x1b[M ",
+            "\x1bX",
+            "\x1b[200~text",
+            "\x1b]0;\x1b",
+        ] {
+            assert!(said(&format!("{open}|q")).ends_with('q'), "{open:?}");
+            assert!(said(&format!("{open}\x03")).ends_with("C-c"), "{open:?}");
+        }
+        // Bytes that go on do not keep a string open.
+        let start = Instant::now();
+        let mut parser = Parser::new(start);
+        parser.feed(b"\x1b]11;", start);
+        let mut keys = Vec::new();
+        for k in 1..8 {
+            keys.extend(parser.feed(b"q", after(100 * k, start)));
+        }
+        assert_eq!(keys.len(), 5);
+    }
+
+    #[test]
+    fn pastes_are_text() {
+        assert_eq!(said("\x1b[200~n=3\rq\x1b[A\x1b[201~q"), "paste:n=3\rq q");
+        assert_eq!(said("\x1b[200~n=3|q"), "paste:n=3 q");
+    }
+}

@@ -1,0 +1,140 @@
+//! Frames on their way to the terminal.
+//!
+//! A thread of its own writes them, so that keys work while a terminal takes no bytes. After
+//! each frame the terminal is asked how it is: its answer is the receipt for all that came
+//! before, however many queues lie between.
+
+use std::io::{self, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+
+use crossbeam_channel::{Receiver, Sender, unbounded};
+
+/// How the terminal is asked for a receipt (device status report, `CSI 5 n`; it answers
+/// `CSI 0 n`): tmux and screen answer themselves, long before the terminal that shows them
+/// has read anything, unless the question is wrapped to be passed on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Question {
+    /// To the terminal itself.
+    Plain,
+    /// Through tmux, whose pane must allow it.
+    Tmux,
+    /// Through screen.
+    Screen,
+}
+
+impl Question {
+    /// The one that suits the variables of the environment.
+    pub fn detect(variable: impl Fn(&str) -> Option<String>) -> Question {
+        let is_set = |name| variable(name).is_some_and(|value| !value.is_empty());
+        if is_set("TMUX") {
+            Question::Tmux
+        } else if is_set("STY") {
+            Question::Screen
+        } else {
+            Question::Plain
+        }
+    }
+
+    /// As it is written.
+    pub fn bytes(self) -> &'static [u8] {
+        match self {
+            Question::Plain => b"\x1b[5n",
+            Question::Tmux => b"\x1bPtmux;\x1b\x1b[5n\x1b\\",
+            Question::Screen => b"\x1bP\x1b[5n\x1b\\",
+        }
+    }
+}
+
+/// Where frames are put; clones lead to the same terminal.
+#[derive(Debug, Clone)]
+pub struct Outbox {
+    frames: Sender<Vec<u8>>,
+    frame: Vec<u8>,
+    question: Question,
+    sent: Arc<AtomicU64>,
+    written: Arc<AtomicU64>,
+}
+
+impl Outbox {
+    /// An outbox, and the frames that are put into it.
+    pub fn new(question: Question) -> (Outbox, Receiver<Vec<u8>>) {
+        let (frames, receiver) = unbounded();
+        let outbox = Outbox {
+            frames,
+            frame: Vec::new(),
+            question,
+            sent: Arc::default(),
+            written: Arc::default(),
+        };
+        (outbox, receiver)
+    }
+
+    /// An outbox whose frames a thread puts on the terminal by `write`, whole; what
+    /// comes after a failed write is dropped.
+    ///
+    /// # Errors
+    /// When the system refuses a thread.
+    pub fn spawn(
+        question: Question,
+        mut write: impl FnMut(&[u8]) -> io::Result<()> + Send + 'static,
+    ) -> io::Result<Outbox> {
+        let (outbox, frames) = Outbox::new(question);
+        let told = outbox.clone();
+        thread::Builder::new()
+            .name("output".into())
+            .spawn(move || {
+                for frame in frames {
+                    if write(&frame).is_err() {
+                        return;
+                    }
+                    told.wrote(frame.len());
+                }
+            })?;
+        Ok(outbox)
+    }
+
+    /// Asks for a receipt of what was sent so far.
+    pub fn ask(&mut self) {
+        self.send(self.question.bytes().to_vec());
+    }
+
+    /// So many more bytes have been written.
+    pub(super) fn wrote(&self, bytes: usize) {
+        self.written.fetch_add(bytes as u64, Ordering::Release);
+    }
+
+    /// Bytes that were sent so far.
+    pub fn sent(&self) -> u64 {
+        self.sent.load(Ordering::Acquire)
+    }
+
+    /// Whether the terminal's nearest queue has taken all that was sent.
+    pub fn is_written(&self) -> bool {
+        self.written.load(Ordering::Acquire) >= self.sent()
+    }
+
+    fn send(&mut self, frame: Vec<u8>) {
+        self.sent.fetch_add(frame.len() as u64, Ordering::AcqRel);
+        // A thread that has ended had a dead terminal, and that is noticed elsewhere.
+        let _ = self.frames.send(frame);
+    }
+}
+
+impl Write for Outbox {
+    fn write(&mut self, buffer: &[u8]) -> io::Result<usize> {
+        self.frame.extend_from_slice(buffer);
+        Ok(buffer.len())
+    }
+
+    /// Sends what was written since the last time as a frame, and asks for its receipt.
+    fn flush(&mut self) -> io::Result<()> {
+        if !self.frame.is_empty() {
+            let mut frame = std::mem::take(&mut self.frame);
+            frame.extend_from_slice(self.question.bytes());
+            self.send(frame);
+        }
+        Ok(())
+    }
+}
