@@ -57,3 +57,33 @@ impl Model {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Preset;
+    use crate::tui::theme::Theme;
+
+    #[test]
+    fn what_comes_of_an_edit_follows_it_where_both_have_room() {
+        let preset = Preset::load("shaken").expect("an embedded preset");
+        let theme = Theme {
+            ascii: false,
+            colour: false,
+        };
+        let now = Instant::now();
+        for (width, shown) in [(80, "ε 0.60 → 0.61; 3 overlaps"), (20, "3 overlaps")] {
+            let made = Model::new(preset.clone(), None, theme, (width, 24));
+            let (mut model, _) = made.expect("a twin");
+            model.echo("ε 0.60 → 0.61", now);
+            model.say_after_echo("3 overlaps".to_owned(), false, now);
+            assert_eq!(model.message.as_ref().map(|m| m.text.as_str()), Some(shown));
+            // Only what was typed last is repeated, and once.
+            model.say_after_echo("2 overlaps".to_owned(), false, now);
+            assert_eq!(
+                model.message.as_ref().map(|m| m.text.as_str()),
+                Some("2 overlaps")
+            );
+        }
+    }
+}

@@ -9,9 +9,6 @@ use crate::scene::{Law, MethodName, Scene, SceneError};
 use crate::tui::model::{Bench, Change, Model};
 use crate::tui::theme::Theme;
 
-/// A line repeats so many changes of one edit.
-const MOST: usize = 3;
-
 /// What can be edited, and its values.
 struct Values {
     rows: Vec<(&'static Parameter, Value)>,
@@ -81,12 +78,11 @@ pub(super) fn set(
     let before = model.bench.value(parameter);
     let changed = model.bench.set(parameter, value)?;
     // What was typed is what is repeated: α is kept as an amplitude, to the last bit or so.
-    let mut told = vec![change(parameter, before, value, model.theme)];
+    let told = change(parameter, before, value, model.theme);
     let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
-    if parameter.name == "restitution" && model.bench.scenes().iter().any(ruled) {
-        told.push("of hard spheres only: soft ones have that of their law".to_owned());
-    }
-    Ok(tell(model, &changed, told, now))
+    let ruled = parameter.name == "restitution" && model.bench.scenes().iter().any(ruled);
+    let remark = ruled.then_some("of hard spheres only: soft ones have that of their law");
+    Ok(tell(model, &changed, &[told], remark, now))
 }
 
 /// Moves a parameter, or the selected one, by key presses.
@@ -143,14 +139,8 @@ pub(super) fn rearrange(
     let before = Values::of(&model.bench);
     match how(&mut model.bench) {
         Ok(changed) => {
-            let mut told = before.changes(&Values::of(&model.bench), model.theme);
-            if told.len() > MOST {
-                let more = told.len() - MOST;
-                told.truncate(MOST);
-                told.push(format!("{more} more"));
-            }
-            let told = (!told.is_empty()).then(|| told.join(", "));
-            Some(tell(model, &changed, told.into_iter().collect(), now))
+            let told = before.changes(&Values::of(&model.bench), model.theme);
+            Some(tell(model, &changed, &told, None, now))
         }
         Err(why) => {
             model.say(why, true, now);
@@ -160,22 +150,75 @@ pub(super) fn rearrange(
 }
 
 /// Tells the simulation thread of an edit, and the person at the keyboard.
-fn tell(model: &mut Model, changed: &Change, mut told: Vec<String>, now: Instant) -> Command {
+fn tell(
+    model: &mut Model,
+    changed: &Change,
+    told: &[String],
+    remark: Option<&str>,
+    now: Instant,
+) -> Command {
     let count = model.bench.parameters().len();
     model.selected = model.selected.min(count.saturating_sub(1));
-    let order = match changed {
-        Change::GoOn(from) => Order::Edit {
-            scenes: model.bench.scenes().to_vec(),
-            from: from.clone(),
-        },
+    let (order, remark) = match changed {
+        Change::GoOn(from) => {
+            let scenes = model.bench.scenes().to_vec();
+            let from = from.clone();
+            (Order::Edit { scenes, from }, remark)
+        }
         Change::Restart => {
-            told.push("this acts from the start: started again from t = 0".to_owned());
             let running = !model.paused || model.held;
-            model.start(running)
+            let remark = "this acts from the start: started again from t = 0";
+            (model.start(running), Some(remark))
         }
     };
-    if !told.is_empty() {
-        model.echo(told.join("; "), now);
+    let room = usize::from(model.size.0.saturating_sub(2));
+    let line = line(told, remark, room);
+    if !line.is_empty() {
+        model.echo(line, now);
     }
     Command::Order(order)
+}
+
+/// Changes and what there is to remark on them, in a line: as many as have room, but the
+/// remark in any case, and a change where there is none.
+fn line(told: &[String], remark: Option<&str>, room: usize) -> String {
+    let first = |shown: usize| {
+        let more = told.len() - shown;
+        let mut parts = told[..shown].to_vec();
+        if more > 0 && shown > 0 {
+            parts.push(format!("{more} more"));
+        }
+        let changes = parts.join(", ");
+        let parts = [Some(changes.as_str()), remark];
+        let parts = parts.into_iter().flatten().filter(|part| !part.is_empty());
+        parts.collect::<Vec<_>>().join("; ")
+    };
+    let least = usize::from(remark.is_none()).min(told.len());
+    (least..=told.len())
+        .rev()
+        .map(first)
+        .find(|line| line.chars().count() <= room)
+        .unwrap_or_else(|| first(least))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_remark_is_never_cut_for_the_sake_of_a_change() {
+        let told = ["N 20 → 10".to_owned(), "ε 0.60 → 0.80".to_owned()];
+        for (remark, room, expected) in [
+            (None, 80, "N 20 → 10, ε 0.60 → 0.80"),
+            (None, 20, "N 20 → 10, 1 more"),
+            (None, 5, "N 20 → 10, 1 more"),
+            (Some("restarted"), 40, "N 20 → 10, ε 0.60 → 0.80; restarted"),
+            (Some("restarted"), 30, "N 20 → 10, 1 more; restarted"),
+            (Some("restarted"), 20, "restarted"),
+        ] {
+            assert_eq!(line(&told, remark, room), expected);
+        }
+        assert_eq!(line(&[], None, 80), "");
+        assert_eq!(line(&[], Some("restarted"), 80), "restarted");
+    }
 }
