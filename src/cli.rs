@@ -186,7 +186,8 @@ pub struct ExploreArgs {
     #[arg(long, value_parser = speed)]
     pub speed: Option<f64>,
 
-    /// Change a parameter, SI units (repeatable; `beadlab run --help` lists them)
+    /// Change a parameter, like t_c=4.6us or N=20; a bare number is in SI units
+    /// (repeatable; `beadlab run --help` lists them)
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub settings: Vec<String>,
 }
@@ -198,7 +199,8 @@ pub struct RunArgs {
     #[arg(value_name = "PRESET|FILE.toml")]
     pub preset: String,
 
-    /// Change a parameter, SI units (repeatable; --help lists them)
+    /// Change a parameter, like t_c=4.6us or N=20; a bare number is in SI units
+    /// (repeatable; --help lists them)
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub settings: Vec<String>,
 
@@ -230,7 +232,8 @@ pub struct AccuracyArgs {
     #[arg(value_name = "PRESET|FILE.toml", default_value = "fig1b")]
     pub preset: String,
 
-    /// Change a parameter, SI units (repeatable; `beadlab run --help` lists them)
+    /// Change a parameter, like t_c=4.6us or N=20; a bare number is in SI units
+    /// (repeatable; `beadlab run --help` lists them)
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub settings: Vec<String>,
 
@@ -250,7 +253,8 @@ pub struct AdviseArgs {
     #[arg(value_name = "PRESET|FILE.toml", default_value = "fig1b")]
     pub preset: String,
 
-    /// Change a parameter, SI units (repeatable; `beadlab run --help` lists them)
+    /// Change a parameter, like t_c=4.6us or N=20; a bare number is in SI units
+    /// (repeatable; `beadlab run --help` lists them)
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub settings: Vec<String>,
 
@@ -304,7 +308,7 @@ pub struct SweepArgs {
     #[arg(value_name = "PRESET|FILE.toml")]
     pub preset: String,
 
-    /// Vary a parameter, SI units (repeatable)
+    /// Vary a parameter, like t_c=1us:1ms:log:30 (repeatable)
     #[arg(
         long = "over",
         value_name = "NAME=RANGE",
@@ -313,7 +317,8 @@ pub struct SweepArgs {
     )]
     pub over: Vec<String>,
 
-    /// Change a parameter, SI units (repeatable; `beadlab run --help` lists them)
+    /// Change a parameter, like t_c=4.6us or N=20; a bare number is in SI units
+    /// (repeatable; `beadlab run --help` lists them)
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub settings: Vec<String>,
 

@@ -15,7 +15,7 @@ pub mod sweep;
 mod usage;
 
 use crate::cli::{Cli, Command};
-use crate::scene::parameters::Setting;
+use crate::scene::parameters::{self, Setting};
 use crate::scene::words::quote;
 use crate::scene::{MethodName, Preset};
 use crate::study::RunError;
@@ -93,11 +93,13 @@ fn load(name: &str, method: Option<MethodName>, settings: &[String]) -> Result<P
     let preset = Preset::load(name).map_err(bad_input)?;
     let layer = layer(settings)?;
     preset.with(method, &layer).map_err(|error| {
-        let of = |text: &&String| text.split('=').next().map(str::trim) == Some(error.parameter());
+        let meant = |name: &str| {
+            parameters::called(name).is_some_and(|parameter| parameter.name == error.parameter())
+        };
         let written = settings
             .iter()
-            .rfind(of)
-            .and_then(|text| text.split_once('='));
+            .filter_map(|text| text.split_once('='))
+            .rfind(|(name, _)| meant(name));
         bad_input(match written {
             Some((_, value)) => error.with_written(value),
             None => error,
@@ -114,9 +116,7 @@ fn layer(settings: &[String]) -> Result<Vec<Setting>, Failure> {
 fn setting(text: &str) -> Result<Setting, Failure> {
     let (name, value) = text.split_once('=').ok_or_else(|| {
         let text = quote(text);
-        Failure::BadInput(format!(
-            "--set {text}: must be NAME=VALUE, like restitution=0.9"
-        ))
+        Failure::BadInput(format!("--set {text}: must be NAME=VALUE, like t_c=4.6us"))
     })?;
     Setting::read(name, value).map_err(bad_input)
 }

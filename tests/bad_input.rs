@@ -36,6 +36,15 @@ fn bad_settings_are_refused_by_name_and_value() {
         ("fig1a", "seed=9007199254740993", "seed", "9007199254740993"),
         ("fig1a", "restituton=0.5", "restituton", "restitution"),
         ("fig1a", "colour=red", "colour", "restitution"),
+        (
+            "fig1a",
+            "t_c=4mm",
+            "contact_time = 4mm",
+            "in s, ms, us, ns or ps",
+        ),
+        ("fig1a", "ε=0.8s", "restitution = 0.8s", "without a unit"),
+        ("fig1a", "N=1e7", "n = 1e7", "1 to 1000000"),
+        ("fig5b", "s_0=1um", "s0 = 1um", "does not have s0"),
         ("fig1a", "restitution", "restitution", "NAME=VALUE"),
         ("fig1a", "", "--set", "NAME=VALUE"),
         // What the scene does not have.

@@ -267,6 +267,22 @@ fn the_same_scene_and_seed_give_the_same_bytes() {
 }
 
 #[test]
+fn a_symbol_and_a_unit_say_the_same_as_the_name_in_si() {
+    for (preset, short, long) in [
+        ("fig1b", "t_c=4.6us", "contact_time=4.6e-6"),
+        ("fig1b", "ε=.8", "restitution=0.8"),
+        ("fig1b", "N=1.2e1", "n=12"),
+        ("fig1b", "s_0=10 µm", "s0=1e-5"),
+        ("fig1d", "v_0=-.5m/s", "v0=-0.5"),
+    ] {
+        let run = |setting| printed(&["run", preset, "--set", setting]);
+        let (short, long) = (run(short), run(long));
+        assert_eq!(short, long);
+        assert_ne!(short, printed(&["run", preset]));
+    }
+}
+
+#[test]
 fn a_power_law_is_printed_with_its_constants() {
     let object = json(&["fig3-hertz", "--set", "n=2"]);
     for (field, value) in [

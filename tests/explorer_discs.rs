@@ -10,7 +10,7 @@ use beadlab::live;
 use beadlab::physics::{self, Discs, Engine, EngineError, Handover, Observation, Outcome, State};
 use beadlab::scene::parameters::Setting;
 use beadlab::scene::{Preset, Scene};
-use beadlab::tui::model::Model;
+use beadlab::tui::model::{Model, Overlay};
 use beadlab::tui::update::{Command, Msg, update};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use explorer::{
@@ -360,7 +360,11 @@ fn the_column_beside_a_lattice_follows_it() {
     assert_eq!(beside(&model).n, 10);
     // A number of beads is what the lattice does not have.
     press(&mut model, ":n=5\n");
-    assert!(model.message.as_ref().is_some_and(|message| message.alarm));
+    let Overlay::Prompt(prompt) = &model.overlay else {
+        panic!("the line stays open")
+    };
+    assert!(prompt.note.as_ref().is_some_and(|note| note.alarm));
+    model.overlay = Overlay::None;
     assert_eq!(beside(&model).n, 10);
     press(&mut model, "w");
     assert_eq!(model.bench.scenes().len(), 1);

@@ -15,7 +15,7 @@ use beadlab::scene::{MethodName, Start};
 use beadlab::tui::model::{Model, Overlay};
 use beadlab::tui::update::{Command, Msg, update};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-use explorer::{COLOURS, preset};
+use explorer::{ASCII, COLOURS, preset};
 
 fn model(name: &str) -> Model {
     Model::new(preset(name), None, COLOURS, (80, 24))
@@ -38,6 +38,25 @@ fn type_keys(model: &mut Model, keys: &str) -> Option<Command> {
 fn enter(model: &mut Model, text: &str) -> Option<Command> {
     type_keys(model, text);
     press(model, KeyCode::Enter)
+}
+
+/// Types a line that is refused: what is said of it, and the line with a bar at the fault.
+/// The line is left.
+fn refuse(model: &mut Model, text: &str) -> (String, String) {
+    assert!(enter(model, text).is_none(), "{text}");
+    let Overlay::Prompt(prompt) = &model.overlay else {
+        panic!("{text}: the line stays open")
+    };
+    let note = prompt.note.as_ref().expect("it is told");
+    assert!(note.alarm && note.text.lines().count() == 1, "{text}");
+    let (before, after) = prompt.text().split_at(prompt.cursor());
+    let told = (note.text.clone(), format!("{before}|{after}"));
+    press(model, KeyCode::Esc);
+    told
+}
+
+fn message(model: &Model) -> &str {
+    model.message.as_ref().map_or("", |message| &message.text)
 }
 
 fn edited(command: Option<Command>) -> bool {
@@ -71,10 +90,9 @@ fn an_edit_reaches_both_twins() {
 fn an_edit_that_one_twin_refuses_reaches_none() {
     let mut model = model("shaken");
     // Hard spheres could have it, soft ones cannot.
-    assert!(enter(&mut model, ":restitution=0").is_none());
+    let (why, _) = refuse(&mut model, ":restitution=0");
     assert_eq!(restitutions(&model), [0.6, 0.6]);
-    let message = model.message.as_ref().expect("the refusal is told");
-    assert!(message.alarm && message.text.contains("restitution") && !message.text.contains('\n'));
+    assert!(why.contains("restitution"), "{why}");
 }
 
 #[test]
@@ -91,15 +109,147 @@ fn bad_entries_change_nothing_and_are_told_in_a_line() {
         ":oops",
         ":speed=-1",
     ] {
-        assert!(enter(&mut model, text).is_none(), "{text}");
-        let message = model.message.as_ref().expect("it is told");
-        assert!(
-            message.alarm && message.text.lines().count() == 1,
-            "{text}: {}",
-            message.text
-        );
+        refuse(&mut model, text);
     }
     assert_eq!(model.bench.scenes(), before);
+}
+
+#[test]
+fn a_wrong_line_points_at_the_place_and_can_be_mended() {
+    let mut model = model("shaken");
+    for (line, pointed, says) in [
+        (
+            ":t_c=4mm",
+            "t_c=4|mm",
+            "contact_time = 4mm: must be in s, ms",
+        ),
+        (":t_c = 4 mm", "t_c = 4 |mm", "not in mm"),
+        (":ε = 1.6", "ε = |1.6", "restitution = 1.6: must be"),
+        (
+            ":restituton=1",
+            "|restituton=1",
+            "did you mean restitution?",
+        ),
+        (":v0=1", "|v0=1", "does not have v0"),
+        (":speed=-1", "speed=|-1", "above 0"),
+        (":oops", "oops|", "name=value"),
+    ] {
+        let (why, at) = refuse(&mut model, line);
+        assert_eq!(at, pointed);
+        assert!(why.contains(says), "{why}");
+    }
+    // The unit is mended where the cursor stands.
+    assert!(enter(&mut model, ":t_c=4mm").is_none());
+    press(&mut model, KeyCode::Delete);
+    press(&mut model, KeyCode::Delete);
+    assert!(edited(enter(&mut model, "us")));
+    assert_eq!(model.bench.contact_time(), Some(4e-6));
+    assert!(matches!(model.overlay, Overlay::None));
+    // A line that was left can be brought back.
+    type_keys(&mut model, ":ε=7");
+    press(&mut model, KeyCode::Esc);
+    type_keys(&mut model, ":");
+    press(&mut model, KeyCode::Up);
+    press(&mut model, KeyCode::Backspace);
+    assert!(edited(enter(&mut model, "0.7")));
+    assert_eq!(restitutions(&model), [0.7, 0.7]);
+}
+
+#[test]
+fn names_and_units_of_the_screen_are_understood() {
+    let mut model = model("shaken");
+    for line in [
+        ":t_c=4.6us",
+        ":ε=0.8",
+        ":eps=.8",
+        ":A=2mm",
+        ":f=30",
+        ":alpha=2",
+    ] {
+        assert!(edited(enter(&mut model, line)), "{line}");
+    }
+    for line in [":N=20", ":n=1e1"] {
+        assert!(restarted(enter(&mut model, line)), "{line}");
+    }
+    let scene = &model.bench.scenes()[0];
+    assert_eq!(scene.contact_time(), Some(4.6e-6));
+    assert_eq!((scene.restitution, scene.n), (0.8, 10));
+}
+
+#[test]
+fn the_prompt_takes_the_keys_of_a_shell() {
+    let mut model = model("shaken");
+    let control = |model: &mut Model, c| {
+        let key = KeyEvent::new(KeyCode::Char(c), KeyModifiers::CONTROL);
+        assert!(update(model, Msg::Key(key), Instant::now()).is_none());
+    };
+    let line = |model: &Model| match &model.overlay {
+        Overlay::Prompt(prompt) => prompt.text().to_owned(),
+        _ => panic!("the prompt is open"),
+    };
+    type_keys(&mut model, ":f=25Hz");
+    control(&mut model, 'w');
+    assert_eq!(line(&model), "f=");
+    control(&mut model, 'a');
+    type_keys(&mut model, "x");
+    press(&mut model, KeyCode::Delete);
+    control(&mut model, 'e');
+    type_keys(&mut model, "0");
+    assert_eq!(line(&model), "x=0");
+    press(&mut model, KeyCode::Home);
+    control(&mut model, 'k');
+    control(&mut model, 'x');
+    assert_eq!(line(&model), "");
+    type_keys(&mut model, "rul");
+    press(&mut model, KeyCode::Tab);
+    assert_eq!(line(&model), "rule=");
+    type_keys(&mut model, "t");
+    press(&mut model, KeyCode::Tab);
+    assert_eq!(line(&model), "rule=tc");
+    assert!(edited(press(&mut model, KeyCode::Enter)));
+    // A value typed for a row comes back with its name.
+    press(&mut model, KeyCode::Enter);
+    enter(&mut model, ".8");
+    type_keys(&mut model, ":");
+    press(&mut model, KeyCode::Up);
+    assert_eq!(line(&model), "restitution=.8");
+}
+
+#[test]
+fn every_edit_is_repeated() {
+    let mut model = model("shaken");
+    for (keys, told) in [
+        (":t_c=4.6us\n", "t_c 7.0 µs → 4.6 µs"),
+        ("E", "ε 0.60 → 0.61"),
+        ("u", "ε 0.61 → 0.60"),
+        (":alpha=3\n", "α 1.996 → 3.0"),
+        (":ε=.6\n", "ε 0.60, as before"),
+        (":ε=.600001\n", "ε 0.6 → 0.600001"),
+        (":speed=1/50\n", "speed 1/20 → 1/50"),
+        ("m", "method gear → verlet"),
+        (
+            ":N=20\n",
+            "N 10 → 20; this acts from the start: started again from t = 0",
+        ),
+        ("0", "this acts from the start: started again from t = 0"),
+        ("0", "this is the preset as it came"),
+    ] {
+        for c in keys.chars() {
+            press(
+                &mut model,
+                if c == '\n' {
+                    KeyCode::Enter
+                } else {
+                    KeyCode::Char(c)
+                },
+            );
+        }
+        assert_eq!(message(&model), told);
+    }
+    let ascii = Model::new(preset("shaken"), None, ASCII, (80, 24));
+    let mut model = ascii.expect("the preset has its twin").0;
+    enter(&mut model, ":t_c=4.6us");
+    assert_eq!(message(&model), "t_c 7.0 us -> 4.6 us");
 }
 
 #[test]

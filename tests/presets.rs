@@ -282,8 +282,8 @@ fn a_bad_file_is_told_line_column_key_and_value() {
         ),
         (
             "n = 5",
-            "n = 5.0",
-            "own.toml:4:5: n = 5.0: must be a whole number",
+            "n = 5.5",
+            "own.toml:4:5: n = 5.5: must be a whole number",
         ),
         (
             "n = 5",
@@ -434,5 +434,51 @@ fn what_is_no_text_or_too_long_is_refused() {
             String::from_utf8_lossy(&output.stderr),
             format!("beadlab: {told}\n")
         );
+    }
+}
+
+#[test]
+fn a_file_may_have_symbols_and_units() {
+    let plain = parse(GOOD).expect("good").scene;
+    for (from, to) in [
+        ("contact_time = 1e-5", "t_c = \"10 µs\""),
+        ("contact_time = 1e-5", "contact_time = \"10us\""),
+        ("restitution = 0.6", "\"ε\" = 0.6"),
+        ("restitution = 0.6", "eps = \".6\""),
+        ("n = 5", "N = 5.0"),
+        ("n = 5", "n = 0.5e1"),
+        ("gravity = 9.81", "g = \"9.81 m/s^2\""),
+        ("frequency = 20", "f = \"20 Hz\""),
+        ("diameter = 1e-3", "d = \"1mm\""),
+    ] {
+        let text = GOOD.replacen(from, to, 1);
+        assert_eq!(parse(&text).map(|preset| preset.scene), Ok(plain.clone()));
+    }
+    for (from, to, error) in [
+        (
+            "contact_time = 1e-5",
+            "t_c = \"1mm\"",
+            "own.toml:7:7: contact_time = \"1mm\": must be in s, ms, us, ns or ps, not in mm",
+        ),
+        (
+            "restitution = 0.6",
+            "eps = 1.6",
+            "own.toml:6:7: restitution = 1.6: must be a number from 0 to 1",
+        ),
+        (
+            "contact_time = 1e-5",
+            "t_c = 4.6us # soft",
+            "; write \"4.6us\", in quotes",
+        ),
+        ("restitution = 0.6", "ε = 0.6", "; write \"ε\", in quotes"),
+        (
+            "frequency = 20",
+            "frequency = 20\nf = 20",
+            "own.toml:11:1: f: frequency is given twice",
+        ),
+    ] {
+        assert!(GOOD.contains(from));
+        let got = parse(&GOOD.replacen(from, to, 1)).expect_err(to);
+        assert!(got.contains(error), "{got}");
     }
 }

@@ -24,6 +24,18 @@ pub enum SceneError {
         /// What is allowed.
         allowed: String,
     },
+    /// The value has a unit that the parameter does not take.
+    #[error("{name} = {value}: must be {allowed}")]
+    Unit {
+        /// The parameter.
+        name: &'static str,
+        /// The value given.
+        value: String,
+        /// The unit given.
+        unit: String,
+        /// What is allowed.
+        allowed: String,
+    },
     /// The parameter exists, but not in this scene.
     #[error("{name} = {value}: this scene does not have {name}; {belongs_to} have it")]
     Absent {
@@ -60,6 +72,7 @@ impl SceneError {
         match self {
             Self::Unknown { name, .. } => name,
             Self::Invalid { name, .. }
+            | Self::Unit { name, .. }
             | Self::Absent { name, .. }
             | Self::Missing { name, .. }
             | Self::Inconsistent { name, .. } => name,
@@ -70,6 +83,7 @@ impl SceneError {
     #[must_use]
     pub(crate) fn with_written(mut self, written: &str) -> Self {
         if let Self::Invalid { value, .. }
+        | Self::Unit { value, .. }
         | Self::Absent { value, .. }
         | Self::Inconsistent { value, .. } = &mut self
         {

@@ -6,10 +6,12 @@ mod display;
 mod layer;
 mod nudge;
 mod rows;
+mod units;
 
 pub use display::{display, display_ascii, help};
 pub use layer::{Setting, apply, complete, edit};
 pub use nudge::nudge;
+pub use units::{PREFIXES, Prefix};
 
 use super::words::{did_you_mean, quote};
 use super::{Facts, SceneError};
@@ -86,6 +88,8 @@ pub struct Parameter {
     pub symbol: &'static str,
     /// The symbol on a terminal without Unicode.
     pub symbol_ascii: &'static str,
+    /// What else it is called.
+    pub aliases: &'static [&'static str],
     /// SI unit; empty for a pure number.
     pub unit: &'static str,
     /// What it is, in a few words.
@@ -116,16 +120,24 @@ pub fn find(name: &str) -> Option<&'static Parameter> {
     table().iter().find(|parameter| parameter.name == name)
 }
 
-/// The parameter of that name, or what may have been meant.
+/// The parameter that is called so: by its name, which may have spaces as on the screen,
+/// by its symbol, or by an alias.
+pub fn called(name: &str) -> Option<&'static Parameter> {
+    let name = name.trim().replace(' ', "_");
+    let is = |parameter: &&Parameter| parameter.names().any(|each| each == name);
+    table().iter().find(is)
+}
+
+/// The parameter that is called so, or what may have been meant.
 ///
 /// # Errors
 /// When there is none.
 pub fn named(name: &str) -> Result<&'static Parameter, SceneError> {
-    find(name).ok_or_else(|| {
-        let names = || table().iter().map(|parameter| parameter.name);
-        let mut hint = did_you_mean(name, names());
+    called(name).ok_or_else(|| {
+        let mut hint = did_you_mean(name, table().iter().flat_map(Parameter::names));
         if hint.is_empty() {
-            hint = format!("; there are {}", names().collect::<Vec<_>>().join(", "));
+            let names: Vec<_> = table().iter().map(|parameter| parameter.name).collect();
+            hint = format!("; there are {}", names.join(", "));
         }
         SceneError::Unknown {
             name: quote(name),
@@ -134,15 +146,19 @@ pub fn named(name: &str) -> Result<&'static Parameter, SceneError> {
     })
 }
 
-/// Reads a value as it is typed: numbers in SI units, flags as true or false.
+/// Reads a value as it is typed: numbers in SI units, or with a unit as in "4.6us", flags
+/// as true or false.
 ///
 /// # Errors
 /// When the text is not a value that the parameter takes.
 pub fn parse(parameter: &Parameter, text: &str) -> Result<Value, SceneError> {
     let text = text.trim();
     let value = match parameter.kind {
-        Kind::Number { .. } => text.parse().ok().map(Value::Number),
-        Kind::Whole { .. } => text.parse().ok().map(Value::Whole),
+        Kind::Number { .. } => units::read(parameter, text)?.map(Value::Number),
+        Kind::Whole { .. } => match text.parse() {
+            Ok(k) => Some(Value::Whole(k)),
+            Err(_) => units::read(parameter, text)?.and_then(whole),
+        },
         Kind::Flag => match text {
             "true" | "on" | "yes" => Some(Value::Flag(true)),
             "false" | "off" | "no" => Some(Value::Flag(false)),
@@ -158,7 +174,25 @@ pub fn parse(parameter: &Parameter, text: &str) -> Result<Value, SceneError> {
         .ok_or_else(|| parameter.refuse(&quote(text)))
 }
 
+/// A whole number that is written as in 1e3.
+fn whole(x: f64) -> Option<Value> {
+    // From 2^53 on the number may stand for a neighbour of what was typed.
+    let exact = x.fract() == 0.0 && (0.0..9_007_199_254_740_992.0).contains(&x);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a whole number in range"
+    )]
+    exact.then_some(Value::Whole(x as u64))
+}
+
 impl Parameter {
+    /// What it is called: its name first, then symbols and aliases. Some may be alike.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let symbols = [self.name, self.symbol, self.symbol_ascii];
+        symbols.into_iter().chain(self.aliases.iter().copied())
+    }
+
     /// Whether the scene has this parameter, with or without a value.
     pub fn applies(&self, facts: &Facts) -> bool {
         self.optional || (self.get)(facts).is_some()

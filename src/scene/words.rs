@@ -22,7 +22,8 @@ pub(crate) fn quote(text: &str) -> String {
     format!("{start}...")
 }
 
-/// The candidate that `word` is a slip of, if it is near enough to one.
+/// The candidate that `word` is a slip of, if it is near enough to one: at least a letter
+/// is right.
 pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
@@ -30,8 +31,14 @@ pub(crate) fn nearest<'a>(
     let word = word.to_lowercase().replace('-', "_");
     candidates
         .into_iter()
-        .map(|candidate| (edits(&word, &candidate.replace('-', "_")), candidate))
-        .filter(|&(distance, candidate)| distance <= 1 + candidate.chars().count() / 4)
+        .map(|candidate| {
+            let plain = candidate.to_lowercase().replace('-', "_");
+            (edits(&word, &plain), candidate)
+        })
+        .filter(|&(distance, candidate)| {
+            let letters = candidate.chars().count();
+            distance <= 1 + letters / 4 && distance < letters
+        })
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, candidate)| candidate)
 }
@@ -74,6 +81,8 @@ mod tests {
         assert_eq!(nearest("restituton", names), Some("restitution"));
         assert_eq!(nearest("contact-time", names), Some("contact_time"));
         assert_eq!(nearest("S0", names), Some("s0"));
+        assert_eq!(nearest("N", names), Some("n"));
+        assert_eq!(nearest("x", names), None);
         assert_eq!(nearest("colour", names), None);
     }
 

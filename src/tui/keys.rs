@@ -176,7 +176,7 @@ pub const BINDINGS: &[Binding] = &[
     turn(&[PageUp], 1, true),
     key(&[Enter], Action::Exact).help("Enter", "type a value for it"),
     key(&[Char(':')], Action::Prompt)
-        .help(":", "type name=value")
+        .help(":", "type name=value, such as t_c=4.6us or N=20")
         .hint(":", "set", 4),
     key(&[Char('u')], Action::Undo)
         .help("u", "undo the last edit")

@@ -1,16 +1,20 @@
 //! Everything that the screen shows, and how frames change it.
 
 mod bench;
+mod message;
 mod overlay;
 mod pace;
 mod page;
+mod prompt;
 mod scale;
 
 pub use bench::{Bench, Change, Check};
+pub use message::Message;
 pub(super) use overlay::moved;
-pub use overlay::{Menu, Overlay, Prompt};
+pub use overlay::{Menu, Overlay};
 pub use pace::{Speed, speed_text};
 pub use page::Page;
+pub use prompt::{Note, Place, Prompt};
 pub use scale::Scale;
 
 use std::time::{Duration, Instant};
@@ -27,18 +31,6 @@ const NUMBERS: Duration = Duration::from_millis(200);
 const COLUMN: Duration = Duration::from_millis(100);
 /// Discs on no more cells than this are drawn as often.
 const FEW_CELLS: u32 = 520;
-/// A message stays for this long, or until a key.
-const MESSAGE: Duration = Duration::from_secs(8);
-
-/// A line for the person at the keyboard.
-#[derive(Debug, Clone)]
-pub struct Message {
-    /// What it says.
-    pub text: String,
-    /// Whether something has gone wrong.
-    pub alarm: bool,
-    since: Instant,
-}
 
 /// Something seen of the columns, refreshed at its own rate.
 #[derive(Debug, Clone, Default)]
@@ -108,6 +100,8 @@ pub struct Model {
     judged: Option<(Scene, Option<Verdict>)>,
     /// What lies over the main screen.
     pub overlay: Overlay,
+    /// Lines that were typed into prompts, the latest last.
+    pub entered: Vec<String>,
     /// The line of the moment.
     pub message: Option<Message>,
     /// Characters and colours.
@@ -148,6 +142,7 @@ impl Model {
             numbers: Glimpse::default(),
             column: Glimpse::default(),
             overlay: Overlay::None,
+            entered: Vec::new(),
             message: None,
             theme,
             size,
@@ -208,7 +203,8 @@ impl Model {
         let turned = self.page.take(frame.time, history);
         if !frame.notes.is_empty() {
             let failed = |side: &Side| matches!(side.status, Status::Failed(_));
-            self.say(frame.notes.join("; "), frame.sides.iter().any(failed), now);
+            let alarm = frame.sides.iter().any(failed);
+            self.say_after_echo(frame.notes.join("; "), alarm, now);
         }
         self.expire_message(now);
         self.column.refresh(&frame, self.look(), still, now);
@@ -279,25 +275,6 @@ impl Model {
         verdict
             .as_ref()
             .filter(|_| *asked == self.bench.scenes()[0])
-    }
-
-    /// Shows a line for a while.
-    pub(super) fn say(&mut self, text: impl Into<String>, alarm: bool, now: Instant) {
-        self.message = Some(Message {
-            text: text.into(),
-            alarm,
-            since: now,
-        });
-    }
-
-    fn expire_message(&mut self, now: Instant) {
-        if self
-            .message
-            .as_ref()
-            .is_some_and(|message| now.duration_since(message.since) > MESSAGE)
-        {
-            self.message = None;
-        }
     }
 
     /// Whether a shadow that was asked for has been given up.

@@ -1,6 +1,7 @@
 //! Numbers in words for people: few digits, units with a prefix.
 
 use crate::math;
+use crate::scene::parameters::PREFIXES;
 
 /// Two or three significant digits: `0.034`, `12.5`, `1.2e-6`; and `0`.
 pub fn short(x: f64) -> String {
@@ -23,25 +24,20 @@ pub fn scientific(x: f64) -> String {
     format!("{x:.1e}")
 }
 
-const PREFIXES: [(i32, &str); 6] = [
-    (-12, "p"),
-    (-9, "n"),
-    (-6, "µ"),
-    (-3, "m"),
-    (0, ""),
-    (3, "k"),
-];
+/// The largest power of ten with a prefix here.
+const LARGEST: i32 = 3;
 
-/// The unit to write a quantity of about `size` in: its factor and prefix.
+/// The unit to write a quantity of about `size` in: its factor and prefix. Numbers that
+/// round to 1000 of one are written as 1.00 of the next.
 pub fn prefix(size: f64) -> (f64, &'static str) {
     let size = size.abs();
     let mut best = (1.0, "");
     if size > 0.0 && size.is_finite() {
         best = (1e-12, "p");
-        for (power, name) in PREFIXES {
-            let factor = math::powi(10.0, power);
-            if size >= factor * 0.999_999 {
-                best = (factor, name);
+        for prefix in PREFIXES.iter().filter(|prefix| prefix.power <= LARGEST) {
+            let factor = math::powi(10.0, prefix.power);
+            if size >= factor * 0.9995 {
+                best = (factor, prefix.symbol);
             }
         }
     }
@@ -91,6 +87,8 @@ mod tests {
         assert_eq!(with_unit(7e-6, "s"), "7.00 µs");
         assert_eq!(with_unit(1.24e-3, "m"), "1.24 mm");
         assert_eq!(with_unit(0.0, "m"), "0 m");
+        assert_eq!(with_unit(999.96e-6, "m"), "1.00 mm");
+        assert_eq!(with_unit(999.4e-6, "m"), "999 µm");
         assert_eq!(with_unit(1e-16, "m"), "1.0e-4 pm");
     }
 

@@ -1,14 +1,16 @@
 //! What happens changes the model, and may ask something of the world.
 
+mod edit;
+mod prompt;
+
 use std::time::Instant;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::keys::{self, Action};
-use super::model::{Change, Menu, Model, Overlay, Prompt, Speed};
+use super::model::{Bench, Menu, Model, Overlay, Prompt};
 use crate::live::{Frame, Order};
-use crate::scene::parameters::{self, Parameter, Value};
-use crate::scene::{Law, Scene};
+use crate::scene::Scene;
 use crate::study::verdict::Verdict;
 
 /// What happens.
@@ -54,7 +56,7 @@ pub fn update(model: &mut Model, msg: Msg, now: Instant) -> Option<Command> {
         Msg::Key(key) => on_key(model, key, now),
         Msg::Paste(text) => {
             if let Overlay::Prompt(prompt) = &mut model.overlay {
-                text.chars().for_each(|c| prompt.push(c));
+                text.chars().for_each(|c| prompt.insert(c));
             }
             None
         }
@@ -95,7 +97,7 @@ fn on_key(model: &mut Model, key: KeyEvent, now: Instant) -> Option<Command> {
             None
         }
         Overlay::Presets(_) => on_menu_key(model, key, now),
-        Overlay::Prompt(_) => on_prompt_key(model, key, now),
+        Overlay::Prompt(_) => prompt::on_key(model, key, now),
     }
 }
 
@@ -127,114 +129,6 @@ fn on_menu_key(model: &mut Model, key: KeyEvent, now: Instant) -> Option<Command
     None
 }
 
-fn on_prompt_key(model: &mut Model, key: KeyEvent, now: Instant) -> Option<Command> {
-    let Overlay::Prompt(prompt) = &mut model.overlay else {
-        return None;
-    };
-    match key.code {
-        KeyCode::Char('u') if key.modifiers.contains(KeyModifiers::CONTROL) => prompt.text.clear(),
-        KeyCode::Char(c) => prompt.push(c),
-        KeyCode::Backspace => {
-            prompt.text.pop();
-        }
-        KeyCode::Esc => model.overlay = Overlay::None,
-        KeyCode::Enter => {
-            let (parameter, text) = (prompt.parameter, std::mem::take(&mut prompt.text));
-            model.overlay = Overlay::None;
-            return commit(model, parameter, &text, now);
-        }
-        _ => {}
-    }
-    None
-}
-
-/// Carries out what was typed: a value for `parameter`, or `name=value`.
-fn commit(
-    model: &mut Model,
-    parameter: Option<&'static Parameter>,
-    text: &str,
-    now: Instant,
-) -> Option<Command> {
-    let text = text.trim();
-    if text.is_empty() {
-        return None;
-    }
-    let entry = match (text.split_once('='), parameter) {
-        (Some((name, value)), _) if name.trim() == "speed" => return type_speed(model, value, now),
-        (Some((name, value)), _) => parameters::named(name.trim()).map(|found| (found, value)),
-        (None, Some(parameter)) => Ok((parameter, text)),
-        (None, None) => {
-            model.say(
-                format!("{text}: type name=value, such as restitution=0.9"),
-                true,
-                now,
-            );
-            return None;
-        }
-    };
-    let entry = entry.and_then(|(parameter, value)| {
-        parameters::parse(parameter, value).map(|value| (parameter, value))
-    });
-    match entry {
-        Ok((parameter, value)) => set(model, parameter, value, now),
-        Err(error) => {
-            model.say(error.to_string(), true, now);
-            None
-        }
-    }
-}
-
-/// Sets a parameter, or says why not.
-fn set(
-    model: &mut Model,
-    parameter: &'static Parameter,
-    value: Value,
-    now: Instant,
-) -> Option<Command> {
-    match model.bench.set(parameter, value) {
-        Ok(change) => {
-            let command = changed(model, change, now);
-            let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
-            if parameter.name == "restitution" && model.bench.scenes().iter().any(ruled) {
-                model.say(
-                    "of hard spheres only: soft ones have the restitution of their law",
-                    false,
-                    now,
-                );
-            }
-            Some(command)
-        }
-        Err(error) => {
-            model.say(error.to_string(), true, now);
-            None
-        }
-    }
-}
-
-/// `speed=1/20`, or `speed=0.05`.
-fn type_speed(model: &mut Model, text: &str, now: Instant) -> Option<Command> {
-    let number = |text: &str| text.trim().parse::<f64>().ok();
-    let factor = match text.split_once('/') {
-        Some((over, under)) => number(over)
-            .zip(number(under))
-            .map(|(over, under)| over / under),
-        None => number(text),
-    };
-    if let Some(factor) = factor.filter(|factor| factor.is_finite() && *factor > 0.0) {
-        model.speed = Speed::nearest(factor);
-        return Some(Command::Order(Order::Speed(model.speed.factor())));
-    }
-    model.say(
-        format!(
-            "speed = {}: must be a number above 0, such as 1/20",
-            text.trim()
-        ),
-        true,
-        now,
-    );
-    None
-}
-
 fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
     match action {
         Action::Pause => {
@@ -259,14 +153,8 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             model.speed = model.speed.shifted(rungs);
             Some(Command::Order(Order::Speed(model.speed.factor())))
         }
-        Action::Method => {
-            let change = model.bench.next_method();
-            changed_or_said(model, change, now)
-        }
-        Action::Twin => {
-            let change = model.bench.toggle_twin();
-            changed_or_said(model, change, now)
-        }
+        Action::Method => edit::rearrange(model, Bench::next_method, now),
+        Action::Twin => edit::rearrange(model, Bench::toggle_twin, now),
         Action::Shadow => Some(toggle_shadow(model, now)),
         Action::Presets => {
             model.overlay = Overlay::Presets(Menu::open(&model.preset.name));
@@ -285,35 +173,24 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             name,
             steps,
             coarse,
-        } => nudge(model, name, steps, coarse, now),
+        } => edit::nudge(model, name, steps, coarse, now),
         Action::Exact => {
             let parameter = model.bench.parameters().get(model.selected).copied();
-            model.overlay = Overlay::Prompt(Prompt {
-                parameter,
-                text: String::new(),
-            });
+            model.overlay = Overlay::Prompt(Prompt::new(parameter));
             None
         }
         Action::Prompt => {
-            model.overlay = Overlay::Prompt(Prompt {
-                parameter: None,
-                text: String::new(),
-            });
+            model.overlay = Overlay::Prompt(Prompt::new(None));
             None
         }
         Action::Undo => {
-            let change = model
-                .bench
-                .undo()
-                .ok_or_else(|| "nothing to undo".to_owned());
-            changed_or_said(model, change, now)
+            let undo = |bench: &mut Bench| bench.undo().ok_or("nothing to undo".to_owned());
+            edit::rearrange(model, undo, now)
         }
         Action::Reset => {
-            let change = model
-                .bench
-                .reset()
-                .ok_or_else(|| "this is the preset as it came".to_owned());
-            changed_or_said(model, change, now)
+            let pristine = || "this is the preset as it came".to_owned();
+            let reset = |bench: &mut Bench| bench.reset().ok_or_else(pristine);
+            edit::rearrange(model, reset, now)
         }
         Action::Redraw => Some(Command::Redraw),
         Action::Suspend => Some(Command::Suspend),
@@ -336,77 +213,4 @@ fn toggle_shadow(model: &mut Model, now: Instant) -> Command {
         model.say(format!("{whose}: {why}"), none, now);
     }
     Command::Order(Order::Shadow(model.shadow))
-}
-
-fn nudge(
-    model: &mut Model,
-    name: Option<&'static str>,
-    steps: i32,
-    coarse: bool,
-    now: Instant,
-) -> Option<Command> {
-    let rows = model.bench.parameters();
-    let index = match name {
-        Some(name) => rows.iter().position(|parameter| parameter.name == name),
-        None => Some(model.selected.min(rows.len().saturating_sub(1))),
-    };
-    let Some(parameter) = index.and_then(|index| rows.get(index).copied()) else {
-        model.say(
-            format!("this scene does not have {}", name.unwrap_or("parameters")),
-            true,
-            now,
-        );
-        return None;
-    };
-    model.selected = index.unwrap_or(model.selected);
-    let value = model.bench.value(parameter)?;
-    let next = parameters::nudge(parameter, value, steps, coarse);
-    if next == value {
-        model.say(at_the_end(parameter, value), false, now);
-        return None;
-    }
-    set(model, parameter, next, now)
-}
-
-fn at_the_end(parameter: &Parameter, value: Value) -> String {
-    format!(
-        "{} = {value}: must be {}",
-        parameter.name,
-        parameter.allowed()
-    )
-}
-
-fn changed_or_said(
-    model: &mut Model,
-    change: Result<Change, String>,
-    now: Instant,
-) -> Option<Command> {
-    match change {
-        Ok(change) => Some(changed(model, change, now)),
-        Err(why) => {
-            model.say(why, true, now);
-            None
-        }
-    }
-}
-
-/// Tells the simulation thread of an edit.
-fn changed(model: &mut Model, change: Change, now: Instant) -> Command {
-    let count = model.bench.parameters().len();
-    model.selected = model.selected.min(count.saturating_sub(1));
-    Command::Order(match change {
-        Change::GoOn(from) => Order::Edit {
-            scenes: model.bench.scenes().to_vec(),
-            from,
-        },
-        Change::Restart => {
-            model.say(
-                "this acts from the start: started again from t = 0",
-                false,
-                now,
-            );
-            let running = !model.paused || model.held;
-            model.start(running)
-        }
-    })
 }

@@ -13,7 +13,7 @@ use super::widgets::strip::Quantity;
 use super::widgets::text::{columns, fitted, line};
 use super::widgets::trace::Trace;
 use super::widgets::{
-    accuracy, footer, header, help, menu, parameters, rules, sigma, strip, title,
+    accuracy, axis, footer, header, help, menu, parameters, prompt, rules, sigma, strip, title,
 };
 use crate::live::Status;
 
@@ -40,6 +40,9 @@ pub fn view(model: &Model, frame: &mut Frame) {
         }
     }
     footer::render_keys(model, layout.keys, buffer);
+    if let Overlay::Prompt(prompt) = &model.overlay {
+        prompt::render(model, prompt, &layout, buffer);
+    }
     if model.theme.ascii {
         keep_ascii(buffer);
     }
@@ -104,7 +107,7 @@ fn draw_discs(model: &Model, layout: &Layout, buffer: &mut Buffer) {
 }
 
 fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
-    draw_axis(model, layout.axis, buffer);
+    axis::render(model.theme, &model.page.scale, layout.axis, buffer);
     for (index, pane) in layout.panes.iter().enumerate() {
         let Some(scene) = model.bench.scenes().get(index) else {
             continue;
@@ -139,42 +142,6 @@ fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
             .render(pane.column, below, buffer);
         }
     }
-}
-
-/// The heights of the ticks, the unit at the uppermost.
-fn draw_axis(model: &Model, area: Rect, buffer: &mut Buffer) {
-    if area.is_empty() {
-        return;
-    }
-    let scale = &model.page.scale;
-    let (factor, prefix) = numbers::prefix(scale.top().abs().max(scale.bottom().abs()));
-    let rows = f64::from(area.height.saturating_sub(1));
-    let mut taken = None;
-    let ticks: Vec<f64> = scale.ticks().collect();
-    for (k, &tick) in ticks.iter().enumerate().rev() {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a row of the area"
-        )]
-        let row = ((1.0 - scale.place(tick)) * rows).round().clamp(0.0, rows) as u16;
-        if taken.replace(row) == Some(row) {
-            continue;
-        }
-        let number = format!("{}", round(tick / factor));
-        let unit = if k + 1 == ticks.len() {
-            format!(" {prefix}m")
-        } else {
-            String::new()
-        };
-        line(model.theme, buffer, area, row).put(&format!("{number}{unit}"), model.theme.quiet());
-    }
-}
-
-/// A tick's number without the crumbs of binary fractions.
-fn round(x: f64) -> f64 {
-    let rounded = (x * 1e6).round() / 1e6;
-    if rounded == 0.0 { 0.0 } else { rounded }
 }
 
 /// When the page begins and ends.

@@ -1,6 +1,7 @@
 //! What the screen is made of, one widget a file.
 
 pub mod accuracy;
+pub mod axis;
 pub mod beads;
 pub mod details;
 pub mod discs;
@@ -9,6 +10,7 @@ pub mod header;
 pub mod help;
 pub mod menu;
 pub mod parameters;
+pub mod prompt;
 pub mod raster;
 pub mod rules;
 pub mod sigma;

@@ -1,19 +1,9 @@
 //! Values and parameters in words for people.
 
+use super::units::{self, PREFIXES};
 use super::{Parameter, Value, table};
 use crate::math;
 use std::fmt::{self, Display, Formatter};
-
-/// SI prefixes by powers of 1000 below and above 1.
-const PREFIXES: [(i32, &str, &str); 7] = [
-    (-12, "p", "p"),
-    (-9, "n", "n"),
-    (-6, "µ", "u"),
-    (-3, "m", "m"),
-    (0, "", ""),
-    (3, "k", "k"),
-    (6, "M", "M"),
-];
 
 /// Exactly as it may be typed back: SI units, shortest form.
 impl Display for Value {
@@ -54,25 +44,23 @@ fn with_unit(x: f64, unit: &str, ascii: bool) -> String {
     }
     let (power, prefix) = prefix_of(x, unit, ascii);
     let unit = if ascii {
-        unit.replace('²', "^2")
+        units::in_ascii(unit)
     } else {
         unit.to_owned()
     };
     format!("{} {prefix}{unit}", digits(x / math::powi(10.0, power)))
 }
 
-/// The prefix that leaves one to three digits before the point. Only plain units
-/// take one: 200 mm/s reads worse than 0.20 m/s.
+/// The prefix that leaves one to three digits before the point, as far as the unit takes
+/// one.
 fn prefix_of(x: f64, unit: &str, ascii: bool) -> (i32, &'static str) {
-    let plain = matches!(unit, "s" | "m" | "Hz");
-    let power = exponent(x).div_euclid(3) * 3;
-    // Seconds and metres are not counted in thousands.
-    let largest = if unit == "Hz" { 6 } else { 0 };
+    let powers = units::powers(unit);
+    let power = (exponent(x).div_euclid(3) * 3).min(*powers.end());
     PREFIXES
         .iter()
-        .find(|&&(of, ..)| plain && x != 0.0 && of == power.min(largest))
-        .map_or((0, ""), |&(of, prefix, typed)| {
-            (of, if ascii { typed } else { prefix })
+        .find(|each| x != 0.0 && each.power == power && powers.contains(&power))
+        .map_or((0, ""), |each| {
+            (power, if ascii { each.ascii } else { each.symbol })
         })
 }
 
@@ -120,16 +108,36 @@ fn trimmed(text: &str, least: usize) -> String {
     }
 }
 
-/// The table as help text: a line for each parameter, and its range below.
+/// Columns of help beside the names, of 80.
+const BELOW: usize = 58;
+
+/// The table as help text: a line for each parameter, and what else it is called and its
+/// range below.
 pub fn help() -> String {
-    let mut lines = vec!["Parameters (SI units):\n".to_owned()];
+    let mut lines = vec![
+        "Parameters, by name or symbol; in SI units where none is typed, else in s, ms, us, ns,\n\
+         ps, m, mm, um, nm, pm, Hz, kHz or MHz (u may be µ), as in t_c=4.6us:\n"
+            .to_owned(),
+    ];
     for parameter in table() {
         let Parameter { name, help, .. } = parameter;
-        lines.push(format!(
-            "  {name:<18} {help}\n  {:<18} {}\n",
-            "",
-            parameter.allowed()
-        ));
+        let mut others: Vec<&str> = Vec::new();
+        for other in parameter.names().skip(1) {
+            if other != *name && !others.contains(&other) {
+                others.push(other);
+            }
+        }
+        let (others, allowed) = (others.join(", "), parameter.allowed());
+        let both = format!("{others}: {allowed}");
+        let below = if others.is_empty() {
+            vec![allowed]
+        } else if both.chars().count() <= BELOW {
+            vec![both]
+        } else {
+            vec![others + ":", allowed]
+        };
+        lines.push(format!("  {name:<18} {help}\n"));
+        lines.extend(below.iter().map(|text| format!("  {:<18} {text}\n", "")));
     }
     lines.concat()
 }

@@ -50,6 +50,7 @@ const ROW: Parameter = Parameter {
     name: "",
     symbol: "",
     symbol_ascii: "",
+    aliases: &[],
     unit: "",
     help: "",
     kind: Kind::Flag,
@@ -76,6 +77,7 @@ pub(super) static ROWS: &[Parameter] = &[
         name: "amplitude",
         symbol: "A_0",
         symbol_ascii: "A_0",
+        aliases: &["A", "A0", "A₀"],
         unit: "m",
         help: "amplitude of the plate",
         kind: Kind::Number {
@@ -148,6 +150,7 @@ pub(super) static ROWS: &[Parameter] = &[
         name: "s0",
         symbol: "s_0",
         symbol_ascii: "s_0",
+        aliases: &["s₀"],
         unit: "m",
         help: "separation of the beads at the start",
         kind: Kind::Number {
@@ -171,6 +174,7 @@ pub(super) static ROWS: &[Parameter] = &[
         name: "v0",
         symbol: "v_0",
         symbol_ascii: "v_0",
+        aliases: &["v₀"],
         unit: "m/s",
         help: "velocity at the start, negative towards the floor",
         kind: Kind::Number {
@@ -273,6 +277,7 @@ pub(super) static ROWS: &[Parameter] = &[
         name: "steps_per_contact",
         symbol: "t_c/Δt",
         symbol_ascii: "t_c/dt",
+        aliases: &["steps"],
         help: "time steps in one contact time",
         kind: Kind::Number {
             min: 2.0,

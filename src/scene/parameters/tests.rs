@@ -1,4 +1,5 @@
 mod laws;
+mod names;
 mod typing;
 
 use super::*;

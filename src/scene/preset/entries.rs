@@ -32,7 +32,8 @@ impl<'a> Entries<'a> {
         };
         let table = DeTable::parse(text).map_err(|error| {
             let at = error.span().map_or(text.len(), |span| span.start);
-            entries.at(at, one_line(error.message()))
+            let hint = in_quotes(text, at);
+            entries.at(at, one_line(error.message()) + &hint)
         })?;
         for (key, value) in table.into_inner() {
             let span = value.span();
@@ -46,6 +47,28 @@ impl<'a> Entries<'a> {
         }
         entries.list.sort_by_key(|entry| entry.key_at);
         Ok(entries)
+    }
+
+    /// Gives keys the names by which the program knows them.
+    ///
+    /// # Errors
+    /// When two keys come to mean the same.
+    pub fn rename(
+        &mut self,
+        name: impl Fn(&str) -> Option<&'static str>,
+    ) -> Result<(), PresetError> {
+        for k in 0..self.list.len() {
+            let entry = &self.list[k];
+            let (at, written) = (entry.key_at, quote(&entry.key));
+            if let Some(name) = name(&entry.key) {
+                name.clone_into(&mut self.list[k].key);
+            }
+            let key = &self.list[k].key;
+            if self.list[..k].iter().any(|before| before.key == *key) {
+                return Err(self.at(at, format!("{written}: {key} is given twice")));
+            }
+        }
+        Ok(())
     }
 
     pub fn iter(&self) -> impl Iterator<Item = &Entry<'a>> {
@@ -78,4 +101,28 @@ impl<'a> Entries<'a> {
             },
         }
     }
+}
+
+/// What TOML wants in quotes and people write without, at a place where it is no TOML: a
+/// Greek key, or a number with a unit; as the end of a sentence.
+fn in_quotes(text: &str, at: usize) -> String {
+    let (before, after) = text.split_at_checked(at).unwrap_or((text, ""));
+    let before = before.rsplit('\n').next().unwrap_or_default();
+    let line = before.to_owned() + after.split('\n').next().unwrap_or_default();
+    let Some((key, value)) = line.split_once('=') else {
+        return String::new();
+    };
+    let (key, value) = (
+        key.trim(),
+        value.split('#').next().unwrap_or_default().trim(),
+    );
+    let bare = |text: &str| !text.contains(['"', '\'']);
+    if bare(key) && !key.is_ascii() {
+        return format!("; write \"{}\", in quotes", quote(key));
+    }
+    let number = value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    if number && bare(value) && value.ends_with(['s', 'm', 'z']) {
+        return format!("; write \"{}\", in quotes", quote(value));
+    }
+    String::new()
 }

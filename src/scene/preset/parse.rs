@@ -37,7 +37,12 @@ const COLUMNS: usize = 13;
 const DEFAULT_DURATION: f64 = 1.0;
 
 pub(super) fn preset(name: &str, text: &str, origin: &str) -> Result<Preset, PresetError> {
-    let entries = Entries::read(text, origin)?;
+    let mut entries = Entries::read(text, origin)?;
+    // Parameters may be called by their symbols; the words of the file come first.
+    entries.rename(|key| match parameters::called(key) {
+        Some(parameter) if !known_keys().any(|known| known == key) => Some(parameter.name),
+        _ => None,
+    })?;
     refuse_unknown_keys(&entries)?;
     Ok(Preset {
         name: name.to_owned(),
@@ -242,10 +247,13 @@ fn in_quotes(words: &[&str]) -> String {
         .join(" or ")
 }
 
-/// The value of a parameter, from the types that TOML has.
+/// The value of a parameter, from the types that TOML has; a text may be a number with a
+/// unit.
 fn value(parameter: &Parameter, entry: &Entry) -> Result<Value, SceneError> {
     let value = match (parameter.kind, &entry.value) {
-        (Kind::Number { .. }, DeValue::Float(x)) => x.as_str().parse().ok().map(Value::Number),
+        (Kind::Number { .. } | Kind::Whole { .. }, DeValue::Float(x)) => {
+            return parameters::parse(parameter, x.as_str());
+        }
         (Kind::Number { .. }, DeValue::Integer(k)) => i64::from_str_radix(k.as_str(), k.radix())
             .ok()
             .map(|k| Value::Number(k as f64)),
@@ -253,7 +261,9 @@ fn value(parameter: &Parameter, entry: &Entry) -> Result<Value, SceneError> {
             .ok()
             .map(Value::Whole),
         (Kind::Flag, DeValue::Boolean(on)) => Some(Value::Flag(*on)),
-        (Kind::Choice(_), DeValue::String(text)) => return parameters::parse(parameter, text),
+        (Kind::Number { .. } | Kind::Whole { .. } | Kind::Choice(_), DeValue::String(text)) => {
+            return parameters::parse(parameter, text);
+        }
         _ => None,
     };
     value

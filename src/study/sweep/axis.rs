@@ -140,14 +140,13 @@ fn range(parameter: &'static Parameter, spec: &str) -> Result<Vec<Value>, AxisEr
 
 /// An end of a range, which the parameter must take too.
 fn end_of(parameter: &'static Parameter, text: &str) -> Result<f64, AxisError> {
-    Ok(match parameters::parse(parameter, text) {
-        Ok(Value::Whole(k)) => k as f64,
-        Ok(Value::Number(x)) => x,
-        // A whole number may be typed as 1e6.
-        Ok(_) | Err(_) => match text.parse::<f64>() {
-            Ok(x) if parameter.allows(value_of(parameter, x)) && x.fract() == 0.0 => x,
-            _ => return Err(parameter.refuse(&quote(text)).into()),
-        },
+    Ok(match parameters::parse(parameter, text)? {
+        Value::Whole(k) => k as f64,
+        Value::Number(x) => x,
+        Value::Flag(_) | Value::Choice(_) => {
+            let name = parameter.name;
+            return Err(AxisError::Words { name });
+        }
     })
 }
 
@@ -206,6 +205,10 @@ mod tests {
         );
         assert_eq!(values("v0=-1:-0.01:log:3").join(" "), "-1 -0.1 -0.01");
         assert_eq!(values("n=100:1:log:3").join(" "), "100 10 1");
+        assert_eq!(
+            values("t_c=1us:1ms:log:4"),
+            values("contact_time=1e-6:1e-3:log:4")
+        );
         // 1, 1.5, 2, 2.5, 3: ties are rounded up.
         assert_eq!(values("n=1:3:5").join(" "), "1 2 3");
         assert_eq!(values("n=1,2, 5").join(" "), "1 2 5");

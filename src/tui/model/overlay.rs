@@ -1,7 +1,7 @@
 //! What lies over the main screen: the list of presets, the help, a prompt.
 
+use super::Prompt;
 use crate::scene::Preset;
-use crate::scene::parameters::Parameter;
 use crate::scene::preset::embedded;
 
 /// What lies over the main screen.
@@ -43,27 +43,6 @@ impl Menu {
     /// Selects the one so many further down, or up if negative.
     pub fn select(&mut self, rows: i32) {
         self.selected = moved(self.selected, rows, self.presets.len());
-    }
-}
-
-/// A line to type into.
-#[derive(Debug)]
-pub struct Prompt {
-    /// The parameter that the value is for; none where a name is typed too.
-    pub parameter: Option<&'static Parameter>,
-    /// What has been typed.
-    pub text: String,
-}
-
-impl Prompt {
-    /// The longest line that makes sense.
-    const LONGEST: usize = 60;
-
-    /// Adds a character; the line stays one printable line.
-    pub fn push(&mut self, c: char) {
-        if !c.is_control() && self.text.chars().count() < Self::LONGEST {
-            self.text.push(c);
-        }
     }
 }
 

@@ -161,13 +161,13 @@ pub fn render_history(model: &Model, area: Rect, buffer: &mut Buffer) {
     if graph.height > 1 {
         let labels = [(0, TOP), (graph.height - 1, BOTTOM)];
         for (row, power) in labels {
-            line(theme, buffer, graph, row).put(&format!("1e{power:.0}"), theme.quiet());
+            line(theme, buffer, graph, row).number(&format!("1e{power:.0}"), theme.quiet());
         }
     }
     for (row, side) in (graph.height..).zip(sides) {
         line(theme, buffer, area, row)
             .put(&format!("{} ", model.label(side)), theme.side(side))
-            .put(&now(model, side), theme.strong());
+            .number(&now(model, side), theme.strong());
     }
 }
 

@@ -72,7 +72,7 @@ pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
                 ..area
             };
             let style = theme.side(usize::from(index));
-            line(theme, buffer, cell, row).put(&write(&side.seen), style);
+            line(theme, buffer, cell, row).number(&write(&side.seen), style);
         }
     }
 }

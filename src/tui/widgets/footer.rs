@@ -1,30 +1,33 @@
-//! The last lines: a message or a prompt, and the keys.
+//! The last lines: a message, and the keys.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::accuracy;
-use super::text::{Line, columns, fitted, line, wrapped};
+use super::text::{columns, fitted, line, wrapped};
 use crate::tui::keys::{BINDINGS, Hint};
 use crate::tui::layout::Layout;
-use crate::tui::model::{Model, Overlay, Prompt};
+use crate::tui::model::{Model, Notice};
 
 /// Looks at the numbers, five a second, for which a line of a longer text stays.
 const LOOKS_A_LINE: u64 = 25;
 
-/// Draws the line of the moment: a prompt, a message, a hint, or, where they stand
-/// nowhere else, what there is to say of the columns and what to look for.
+/// Draws the line of the moment: a message, a hint, or, where they stand nowhere else,
+/// what there is to say of the columns and what to look for.
 pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     let (theme, area) = (model.theme, layout.message);
     let notice = model.notices().first().copied();
     let notice = notice.filter(|_| layout.notices.is_empty());
+    // A warning is worth more than the repetition of an edit.
+    let warned = matches!(notice, Some(Notice::TooFewSteps { .. }));
+    let message = model.message.as_ref();
+    let message = message.filter(|message| !(message.echo && warned));
     let mut start = line(theme, buffer, area, 0);
     start.skip(1);
     let room = start.room().saturating_sub(1);
-    match (&model.overlay, &model.message, notice) {
-        (Overlay::Prompt(prompt), ..) => ask(&mut start, prompt, model),
-        (_, Some(message), _) => {
+    match (message, notice) {
+        (Some(message), _) => {
             let style = if message.alarm {
                 theme.alarm()
             } else {
@@ -43,7 +46,7 @@ pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
                 theme.strong(),
             );
         }
-        (.., Some(notice)) => accuracy::render_notice(model, notice, area, 0, buffer),
+        (None, Some(notice)) => accuracy::render_notice(model, notice, area, 0, buffer),
         _ if !layout.text.is_empty() => {}
         _ => {
             // Line after line where all of it has no room.
@@ -55,26 +58,6 @@ pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
             }
         }
     }
-}
-
-fn ask(line: &mut Line<'_>, prompt: &Prompt, model: &Model) {
-    let theme = model.theme;
-    let (what, how) = match prompt.parameter {
-        Some(parameter) => (
-            format!("{} = ", parameter.name),
-            format!("  {}", parameter.allowed()),
-        ),
-        None => ("set ".to_owned(), "  name=value, in SI units".to_owned()),
-    };
-    let how = if prompt.text.is_empty() {
-        how
-    } else {
-        "  Enter sets, Esc leaves".to_owned()
-    };
-    line.put(&what, theme.strong())
-        .put(&prompt.text, Style::new())
-        .put(" ", theme.selected())
-        .put(&how, theme.quiet());
 }
 
 /// Draws the keys, as many as there is room for.

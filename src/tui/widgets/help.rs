@@ -13,6 +13,10 @@ use crate::tui::model::Model;
 /// What the screen shows, term by term.
 const TERMS: &[(&str, &str)] = &[
     (
+        "typing",
+        "names or symbols; a bare number is in SI units, and s ms µs ns ps, m mm µm nm pm, Hz kHz MHz may follow it (u for µ). Tab completes, ↑ ↓ bring lines back, Ctrl-A Ctrl-E go to the ends, Ctrl-W Ctrl-U Ctrl-K delete.",
+    ),
+    (
         "z_i",
         "reduced height of bead i: its height less the diameters of the beads below. All lines meet where the beads touch.",
     ),

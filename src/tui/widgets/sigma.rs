@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::details;
-use super::text::{line, wrapped};
+use super::text::{columns, line, wrapped};
 use crate::scene::Law;
 use crate::study::verdict::Word;
 use crate::tui::model::Model;
@@ -60,7 +60,8 @@ pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
     for pieces in lines(model, area.width) {
         let mut line = line(model.theme, buffer, area, row);
         for (text, style) in pieces {
-            line.put(&text, style);
+            // Pieces are words of a known length, or numbers.
+            line.number(&text, style);
         }
         row += 1;
     }
@@ -117,10 +118,11 @@ fn lines(model: &Model, width: u16) -> Vec<Pieces> {
     // Under a power law t_c depends on the speed: say which one σ is taken with.
     if let (Some(Law::Power(_)), Some(contact_time)) = (scene.law(), scene.contact_time()) {
         let speed = numbers::short(scene.own_speed());
-        let words = format!(
-            " t_c {} at {speed} m/s",
-            numbers::with_unit(contact_time, "s")
-        );
+        let time = numbers::with_unit(contact_time, "s");
+        let mut words = format!(" t_c {time} at {speed} m/s");
+        if columns(&words) > width {
+            words = format!(" t_c {time}");
+        }
         lines.push(vec![(words, theme.quiet())]);
     }
     lines

@@ -95,7 +95,7 @@ pub fn render(model: &Model, quantity: Quantity, area: Rect, buffer: &mut Buffer
         let value = numbers::short(quantity.now(&side.seen.energy));
         line(model.theme, buffer, area, row)
             .put(&format!("{} ", model.label(index)), model.theme.side(index))
-            .put(&value, model.theme.strong());
+            .number(&value, model.theme.strong());
     }
 }
 
@@ -110,8 +110,8 @@ fn label_axis(model: &Model, top: f64, area: Rect, buffer: &mut Buffer) {
     };
     let style = model.theme.quiet();
     if area.height > 1 {
-        line(model.theme, buffer, area, 0).put(&power(top), style);
-        line(model.theme, buffer, area, area.height - 1).put(&power(top - DECADES), style);
+        line(model.theme, buffer, area, 0).number(&power(top), style);
+        line(model.theme, buffer, area, area.height - 1).number(&power(top - DECADES), style);
     }
 }
 

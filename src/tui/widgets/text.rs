@@ -46,6 +46,13 @@ impl Line<'_> {
         self
     }
 
+    /// Writes a number whole, or dots: a part of one would be another number.
+    pub fn number(&mut self, text: &str, style: Style) -> &mut Self {
+        let text = self.theme.text(text).into_owned();
+        let cut = columns(&text) > self.room();
+        self.put(if cut { "..." } else { &text }, style)
+    }
+
     /// Goes on at a column of the area that the line began in, counted from here.
     pub fn skip(&mut self, columns: u16) -> &mut Self {
         self.x = self.x.saturating_add(columns).min(self.end);
@@ -113,5 +120,20 @@ mod tests {
         assert_eq!(fitted("detachment", 8), "detac...");
         assert_eq!(wrapped("a bb ccc dddd", 6), ["a bb", "ccc", "dddd"]);
         assert_eq!(wrapped("", 6), [""]);
+    }
+
+    #[test]
+    fn numbers_are_not_cut() {
+        let theme = Theme {
+            ascii: false,
+            colour: false,
+        };
+        for (width, shown) in [(8, "1.2e-10 "), (7, "1.2e-10"), (6, "...   "), (2, "..")] {
+            let area = Rect::new(0, 0, width, 1);
+            let mut buffer = Buffer::empty(area);
+            line(theme, &mut buffer, area, 0).number("1.2e-10", Style::new());
+            let symbols = buffer.content.iter().map(ratatui::buffer::Cell::symbol);
+            assert_eq!(symbols.collect::<String>(), shown);
+        }
     }
 }

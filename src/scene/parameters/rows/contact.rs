@@ -32,6 +32,7 @@ pub(super) const RESTITUTION: Parameter = Parameter {
     name: "restitution",
     symbol: "ε",
     symbol_ascii: "e",
+    aliases: &["eps", "epsilon", "ϵ"],
     help: "restitution of two beads: speed after over before",
     kind: Kind::Number {
         min: 0.0,
@@ -56,6 +57,7 @@ pub(super) const CONTACT_TIME: Parameter = Parameter {
     name: "contact_time",
     symbol: "t_c",
     symbol_ascii: "t_c",
+    aliases: &["tc", "T_c"],
     unit: "s",
     help: "time that a collision of two beads takes",
     kind: Kind::Number {
