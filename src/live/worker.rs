@@ -164,7 +164,12 @@ impl Worker {
     /// Other scenes, each from the state of the column it follows. The follower of a
     /// failed column takes the state of its twin; when there is none, all start anew.
     fn edit(&mut self, scenes: Vec<Scene>, from: &[usize]) {
-        let states: Vec<Option<State>> = self.runners.iter_mut().map(Runner::state).collect();
+        let mut states: Vec<Option<State>> = self.runners.iter_mut().map(Runner::state).collect();
+        // A column may be ahead of the other by some time: the plate turns after both.
+        let times = states.iter().flatten().map(|state| state.time);
+        let latest = times.fold(self.reached, f64::max);
+        let present = states.iter_mut().flatten();
+        present.for_each(|state| state.settle(latest));
         let shape = |scene: &Scene| (scene.n, scene.sites().is_some());
         let shapes: Vec<_> = self
             .runners
@@ -196,6 +201,8 @@ impl Worker {
             .zip(sources)
             .map(|(scene, state)| Runner::new(build, scene, Some(state), time))
             .collect();
+        let mut columns = self.runners.iter_mut();
+        self.notes.extend(columns.find_map(Runner::take_plate_note));
     }
 
     /// Starts the shadows from the present state of the columns, or ends them.

@@ -308,6 +308,13 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
                 .ok_or_else(|| "nothing to undo".to_owned());
             changed_or_said(model, change, now)
         }
+        Action::Redo => {
+            let change = model
+                .bench
+                .redo()
+                .ok_or_else(|| "nothing to redo".to_owned());
+            changed_or_said(model, change, now)
+        }
         Action::Reset => {
             let change = model
                 .bench
