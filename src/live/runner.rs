@@ -25,7 +25,7 @@ pub(super) struct Runner {
     budget: u64,
     seen: Observation,
     note: Option<String>,
-    plate_note: Option<String>,
+    plate_note: Option<&'static str>,
 }
 
 impl Runner {
@@ -141,7 +141,7 @@ impl Runner {
     }
 
     /// What it has to say of the plate, which other columns have too, once.
-    pub(super) fn take_plate_note(&mut self) -> Option<String> {
+    pub(super) fn take_plate_note(&mut self) -> Option<&'static str> {
         self.plate_note.take()
     }
 

@@ -202,7 +202,9 @@ impl Worker {
             .map(|(scene, state)| Runner::new(build, scene, Some(state), time))
             .collect();
         let mut columns = self.runners.iter_mut();
-        self.notes.extend(columns.find_map(Runner::take_plate_note));
+        if let Some(note) = columns.find_map(Runner::take_plate_note) {
+            note_once(&mut self.notes, note);
+        }
     }
 
     /// Starts the shadows from the present state of the columns, or ends them.
@@ -224,10 +226,7 @@ impl Worker {
             if let Some(old) = old.filter(|old| old.as_ref().is_some_and(Shadow::is_given_up)) {
                 *shadow = shadow.take().and(old.take());
             } else if shadow.is_some() {
-                let note = "the exact run starts again from here".to_owned();
-                if !self.notes.contains(&note) {
-                    self.notes.push(note);
-                }
+                note_once(&mut self.notes, "the exact run starts again from here");
             }
         }
     }
@@ -388,5 +387,12 @@ impl Worker {
         });
         // Large columns take long to look at: they shall move for most of the time.
         self.next_frame = started + (4 * started.elapsed()).clamp(FRAME, RAREST);
+    }
+}
+
+/// Adds a sentence that several columns or edits may have.
+fn note_once(notes: &mut Vec<String>, note: &str) {
+    if !notes.iter().any(|told| told == note) {
+        notes.push(note.to_owned());
     }
 }

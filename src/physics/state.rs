@@ -115,16 +115,9 @@ impl Handover {
     }
 
     /// The same on the plate, on which all columns stand.
-    pub fn describe_plate(&self) -> Option<String> {
-        let wait = self.plate_waits.filter(|wait| *wait > 0.0)?;
-        let wait = if wait < 0.1 {
-            format!("{:.2} ms", 1e3 * wait)
-        } else {
-            format!("{wait:.2} s")
-        };
-        Some(format!(
-            "acts as the plate passes its middle, in {wait}, over about a period"
-        ))
+    pub fn describe_plate(&self) -> Option<&'static str> {
+        self.plate_waits
+            .map(|_| "acts from when the plate next passes its middle, over about a period")
     }
 }
 
