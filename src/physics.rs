@@ -9,6 +9,7 @@ mod adaptive;
 mod bounce;
 mod column;
 mod contacts;
+mod course;
 mod ed;
 mod exact;
 mod flight;
@@ -23,6 +24,7 @@ mod plate;
 mod power_law;
 pub mod spectrum;
 mod state;
+mod steered;
 mod tournament;
 
 pub(crate) use column::masses;
@@ -148,7 +150,7 @@ pub trait Engine: Send {
 /// The [`Handover`] says what had to be resolved to go on from that state.
 ///
 /// # Panics
-/// If the state has another number of beads than the scene.
+/// If the state has another number of beads than the scene, or another kind of floor.
 pub fn build(scene: &Scene, from: Option<&State>) -> (Box<dyn Engine>, Handover) {
     let (state, handover) = match from {
         None => (State::initial(scene), Handover::default()),
@@ -168,6 +170,15 @@ pub fn build_half_as_deep(scene: &Scene) -> Box<dyn Engine> {
 }
 
 fn engine(scene: &Scene, state: State) -> Box<dyn Engine> {
+    if state.course.is_untouched() {
+        unsteered(scene, state)
+    } else {
+        steered::build(scene, state)
+    }
+}
+
+/// The engine of a scene whose plate goes on as it moves in that state.
+fn unsteered(scene: &Scene, state: State) -> Box<dyn Engine> {
     if let Some(sites) = scene.sites() {
         return lattice::build(scene, sites, state);
     }

@@ -273,7 +273,7 @@ fn exact_values_are_typed_for_the_selected_row_or_by_name() {
 }
 
 #[test]
-fn undo_and_reset_lead_back() {
+fn undo_redo_and_reset_lead_back() {
     let mut model = model("shaken");
     let start = model.bench.scenes().to_vec();
     type_keys(&mut model, "EEE");
@@ -287,6 +287,17 @@ fn undo_and_reset_lead_back() {
     assert!(
         type_keys(&mut model, "u").is_none(),
         "there is nothing more to undo"
+    );
+    assert!(edited(type_keys(&mut model, "U")));
+    assert_eq!(restitutions(&model), [0.61, 0.61]);
+    type_keys(&mut model, "U");
+    assert_eq!(restitutions(&model), [0.62, 0.62]);
+    assert!(edited(type_keys(&mut model, "u")));
+    assert_eq!(restitutions(&model), [0.61, 0.61]);
+    type_keys(&mut model, "e");
+    assert!(
+        type_keys(&mut model, "U").is_none(),
+        "another edit leaves nothing to redo"
     );
 }
 

@@ -5,7 +5,8 @@ mod explorer;
 
 use std::time::Duration;
 
-use beadlab::live::{self, Order, Status};
+use beadlab::live::{self, Frame, Order, Status};
+use beadlab::scene::Floor;
 use explorer::{Fault, faulty, load, real, sweep, twins, until};
 
 #[test]
@@ -144,6 +145,76 @@ fn edits_go_on_and_change_what_moves() {
         .expect("the simulation thread listens");
     let single = until(&live, |frame| frame.orders == 3);
     assert_eq!(single.sides.len(), 1);
+}
+
+#[test]
+fn both_columns_stand_on_one_plate_after_edits_of_it() {
+    let live = live::spawn(real()).expect("threads are to be had");
+    let scenes = twins("shaken");
+    load(&live, scenes.clone(), sweep(0.3, false), 0.1, true);
+    let row = beadlab::scene::parameters::find("amplitude").expect("there is one");
+    let (frequency, own) = match scenes[0].floor {
+        Floor::Vibrating {
+            amplitude,
+            frequency,
+        } => (frequency, amplitude),
+        Floor::Fixed => unreachable!("shaken"),
+    };
+    let mut time = 0.0;
+    for (k, factor) in [3.0, 0.2, 1.5, 1.0].into_iter().enumerate() {
+        until(&live, |frame| frame.time > time + 0.043);
+        let value = beadlab::scene::parameters::Value::Number(factor * own);
+        let edited = scenes.iter().map(|scene| {
+            beadlab::scene::parameters::edit(scene, row, value).expect("an allowed amplitude")
+        });
+        let order = Order::Edit {
+            scenes: edited.collect(),
+            from: vec![0, 1],
+        };
+        live.orders
+            .send(order)
+            .expect("the simulation thread listens");
+        let orders = u64::try_from(k).expect("a few") + 2;
+        let frame = until(&live, |frame| frame.orders == orders);
+        let told = frame
+            .notes
+            .iter()
+            .any(|note| note.contains("passes its middle"));
+        // The last one may take back what has not begun.
+        assert!(
+            told || factor == 1.0,
+            "when it acts is told: {:?}",
+            frame.notes
+        );
+        time = frame.time;
+        assert_one_plate(&frame);
+    }
+    // A passage that was under way is ended, and the next one begins a period later.
+    live.orders
+        .send(Order::Step(6.0 / frequency))
+        .expect("the simulation thread listens");
+    let goal = time + 6.0 / frequency;
+    let frame = until(&live, |frame| frame.paused && frame.time >= goal);
+    assert_one_plate(&frame);
+    for side in &frame.sides {
+        let formula = own * (std::f64::consts::TAU * frequency * side.seen.time).sin();
+        assert!((side.seen.floor - formula).abs() < 1e-14);
+    }
+}
+
+/// The soft column is seen at its last step: the plate has moved on by a little since.
+fn assert_one_plate(frame: &Frame) {
+    let [soft, hard] = &frame.sides[..] else {
+        panic!("two columns");
+    };
+    let (dt, moved) = (
+        hard.seen.time - soft.seen.time,
+        hard.seen.floor - soft.seen.floor,
+    );
+    // The plate never accelerates faster than 10 g.
+    let gained = 98.1 * dt;
+    assert!((moved - hard.seen.floor_velocity * dt).abs() <= gained * dt.abs() + 1e-14);
+    assert!((hard.seen.floor_velocity - soft.seen.floor_velocity).abs() <= gained.abs() + 1e-12);
 }
 
 #[test]

@@ -25,6 +25,7 @@ pub(super) struct Runner {
     budget: u64,
     seen: Observation,
     note: Option<String>,
+    plate_note: Option<&'static str>,
 }
 
 impl Runner {
@@ -38,6 +39,7 @@ impl Runner {
             budget: FIRST_BUDGET,
             seen: Observation::default(),
             note: None,
+            plate_note: None,
         };
         match built {
             Ok((engine, handover)) => {
@@ -45,6 +47,7 @@ impl Runner {
                 runner.note = handover
                     .describe()
                     .map(|what| format!("{}: {what}", runner.label()));
+                runner.plate_note = handover.describe_plate();
                 runner.observe();
             }
             Err(panic) => runner.fail(&describe(panic.as_ref())),
@@ -135,6 +138,11 @@ impl Runner {
     /// The sentence that it has for the screen, once.
     pub(super) fn take_note(&mut self) -> Option<String> {
         self.note.take()
+    }
+
+    /// What it has to say of the plate, which other columns have too, once.
+    pub(super) fn take_plate_note(&mut self) -> Option<&'static str> {
+        self.plate_note.take()
     }
 
     fn label(&self) -> &'static str {

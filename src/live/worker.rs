@@ -164,7 +164,12 @@ impl Worker {
     /// Other scenes, each from the state of the column it follows. The follower of a
     /// failed column takes the state of its twin; when there is none, all start anew.
     fn edit(&mut self, scenes: Vec<Scene>, from: &[usize]) {
-        let states: Vec<Option<State>> = self.runners.iter_mut().map(Runner::state).collect();
+        let mut states: Vec<Option<State>> = self.runners.iter_mut().map(Runner::state).collect();
+        // A column may be ahead of the other by some time: the plate turns after both.
+        let times = states.iter().flatten().map(|state| state.time);
+        let latest = times.fold(self.reached, f64::max);
+        let present = states.iter_mut().flatten();
+        present.for_each(|state| state.settle(latest));
         let shape = |scene: &Scene| (scene.n, scene.sites().is_some());
         let shapes: Vec<_> = self
             .runners
@@ -196,6 +201,10 @@ impl Worker {
             .zip(sources)
             .map(|(scene, state)| Runner::new(build, scene, Some(state), time))
             .collect();
+        let mut columns = self.runners.iter_mut();
+        if let Some(note) = columns.find_map(Runner::take_plate_note) {
+            note_once(&mut self.notes, note);
+        }
     }
 
     /// Starts the shadows from the present state of the columns, or ends them.
@@ -217,10 +226,7 @@ impl Worker {
             if let Some(old) = old.filter(|old| old.as_ref().is_some_and(Shadow::is_given_up)) {
                 *shadow = shadow.take().and(old.take());
             } else if shadow.is_some() {
-                let note = "the exact run starts again from here".to_owned();
-                if !self.notes.contains(&note) {
-                    self.notes.push(note);
-                }
+                note_once(&mut self.notes, "the exact run starts again from here");
             }
         }
     }
@@ -381,5 +387,12 @@ impl Worker {
         });
         // Large columns take long to look at: they shall move for most of the time.
         self.next_frame = started + (4 * started.elapsed()).clamp(FRAME, RAREST);
+    }
+}
+
+/// Adds a sentence that several columns or edits may have.
+fn note_once(notes: &mut Vec<String>, note: &str) {
+    if !notes.iter().any(|told| told == note) {
+        notes.push(note.to_owned());
     }
 }

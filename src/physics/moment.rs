@@ -1,6 +1,7 @@
 //! One moment of a column: what follows from gaps and rates.
 
 use super::bounce::Arrival;
+use super::course::Course;
 use super::ledger::Ledger;
 use super::observation::{Energy, Observation};
 use super::plate::Plate;
@@ -84,6 +85,8 @@ impl Moment<'_> {
             gaps: self.gaps.to_vec(),
             rates: self.rates.to_vec(),
             plate: self.plate,
+            course: Course::default(),
+            settled: self.time,
             ledger_error: books.ledger.error(self.energy()),
             closing: Depth::default(),
             springs: self.springs.to_vec(),

@@ -29,6 +29,20 @@ pub struct Integrals {
     pub energies: Option<Energies>,
 }
 
+impl Integrals {
+    /// Both together, of stretches of time one after the other.
+    pub(crate) fn and(self, later: Self) -> Self {
+        let energies = self.energies.zip(later.energies);
+        Self {
+            height: self.height + later.height,
+            energies: energies.map(|(first, then)| Energies {
+                squares: first.squares + then.squares,
+                relative: first.relative + then.relative,
+            }),
+        }
+    }
+}
+
 /// Integrals over time of what E consists of, E = ½Mv² + E_r.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Energies {

@@ -3,8 +3,8 @@
 use crate::math;
 use crate::scene::{Floor, Scene, angular};
 
-/// The plate as state: its phase survives edits, and `centre` takes up what an edit
-/// of the amplitude would otherwise make it jump by.
+/// The plate as state. How it gets from one motion to another after an edit is its
+/// [`Course`](super::course::Course).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Plate {
     /// A₀, m; 0 for a fixed floor.
@@ -13,7 +13,7 @@ pub(crate) struct Plate {
     pub omega: f64,
     /// Phase θ, rad, in [0, 2π).
     pub phase: f64,
-    /// Height about which it moves, m.
+    /// Height about which it moves, m: 0 but on the way to another motion.
     pub centre: f64,
 }
 
@@ -33,18 +33,6 @@ impl Plate {
         }
     }
 
-    /// The plate after an edit: same phase, same position.
-    pub fn edited(self, scene: &Scene) -> Self {
-        let new = Self {
-            phase: self.phase,
-            ..Self::of(scene)
-        };
-        Self {
-            centre: self.position() - new.position(),
-            ..new
-        }
-    }
-
     /// The plate a time τ later.
     pub fn later(self, tau: f64) -> Self {
         let phase = (self.phase + self.omega * tau).rem_euclid(std::f64::consts::TAU);
@@ -54,6 +42,11 @@ impl Plate {
     /// Period, s; infinite for a fixed floor.
     pub fn period(&self) -> f64 {
         std::f64::consts::TAU / self.omega
+    }
+
+    /// Its greatest acceleration A₀ω², m/s².
+    pub fn shake(&self) -> f64 {
+        self.amplitude * self.omega * self.omega
     }
 
     /// Height z₀, m.

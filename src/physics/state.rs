@@ -3,10 +3,11 @@
 use super::bounce::Bounce;
 use super::column::{masses, springs};
 use super::contacts::ContactLog;
+use super::course::{Course, Turn};
 use super::ledger::Ledger;
 use super::plate::Plate;
 use super::power_law::Spring;
-use crate::scene::{Facts, Scene, Start, initial_gaps};
+use crate::scene::{Facts, Floor, Method, Scene, Solver, Start, initial_gaps};
 
 /// What a run keeps account of, whatever moves it.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +61,10 @@ pub struct State {
     /// Rates of those, m/s.
     pub rates: Vec<f64>,
     pub(crate) plate: Plate,
+    /// How the plate is going to move.
+    pub(crate) course: Course,
+    /// Up to when its motion is settled, s, whatever is edited.
+    pub(crate) settled: f64,
     pub(crate) books: Books,
     /// Error of the ledger so far, m²/s².
     pub(crate) ledger_error: f64,
@@ -80,10 +85,12 @@ pub struct Handover {
     pub deepest: f64,
     /// Contacts that were given the overlap that carries their load.
     pub overlaps_loaded: usize,
+    /// How long until an edit of the plate's motion begins to act, s, if there was one.
+    pub plate_waits: Option<f64>,
 }
 
 impl Handover {
-    /// One sentence for the screen, if there is anything to say.
+    /// One sentence for the screen on the contacts, if there is anything to say.
     pub fn describe(&self) -> Option<String> {
         let plural = |count: usize| if count == 1 { "" } else { "s" };
         if self.overlaps_removed > 0 {
@@ -105,6 +112,12 @@ impl Handover {
         } else {
             None
         }
+    }
+
+    /// The same on the plate, on which all columns stand.
+    pub fn describe_plate(&self) -> Option<&'static str> {
+        self.plate_waits
+            .map(|_| "acts from when the plate next passes its middle, over about a period")
     }
 }
 
@@ -141,6 +154,8 @@ impl State {
             gaps,
             rates,
             plate: Plate::of(scene),
+            course: Course::default(),
+            settled: 0.0,
             books: Books {
                 contacts: ContactLog::new(closed, 0.0, scene.period()),
                 ledger: Ledger::default(),
@@ -157,8 +172,15 @@ impl State {
         }
     }
 
-    /// The same state under the facts of another scene of as many beads: velocities of
-    /// the beads and the plate's place and phase stay, overlaps are made to fit the law.
+    /// Lets edits change nothing of the plate's motion up to `time`, s. Columns on one
+    /// clock may have come to different times: up to the latest they share one plate.
+    pub fn settle(&mut self, time: f64) {
+        self.settled = self.settled.max(time);
+    }
+
+    /// The same state under the facts of another scene of as many beads on the same kind
+    /// of floor: beads and plate keep their places and velocities, only overlaps are made
+    /// to fit the law. Another motion of the plate begins when it next passes its middle.
     pub(crate) fn adopt(&self, scene: &Scene) -> (Self, Handover) {
         let directions = if scene.sites().is_some() { 2 } else { 1 };
         assert_eq!(
@@ -166,15 +188,23 @@ impl State {
             directions * scene.n,
             "a state goes on with the column it is of"
         );
+        assert_eq!(
+            self.plate.omega == 0.0,
+            scene.floor == Floor::Fixed,
+            "a state goes on with the kind of floor it is on"
+        );
         let mut state = self.clone();
         if scene.sites().is_some() {
             // Beads of a plane share their overlaps: none can be changed by itself.
             return (state, Handover::default());
         }
-        state.plate = self.plate.edited(scene);
-        state.rates[0] += self.plate.velocity() - state.plate.velocity();
         state.books.contacts.set_period(scene.period());
         let mut handover = Handover::default();
+        if scene.floor != Floor::Fixed {
+            let after = self.settled.max(self.time);
+            let begins = state.course.lead(self.plate, Plate::of(scene), after);
+            handover.plate_waits = begins.map(|time| time - after);
+        }
         match scene.law() {
             Some(_) if self.springs.is_empty() => {
                 handover.overlaps_loaded = state.load_resting_contacts(scene);
@@ -196,6 +226,28 @@ impl State {
             }
         }
         (state, handover)
+    }
+
+    /// The same state as the plate takes a turn, which it has come to.
+    pub(crate) fn turned(mut self, turn: Turn, scene: &Scene) -> Self {
+        let on_grid = matches!(
+            scene.method,
+            Method::Md {
+                solver: Solver::Grid { .. },
+                ..
+            }
+        );
+        if on_grid {
+            // The last grid point lies up to a step before the turn: the plate moves as
+            // it is going to from there, and the beads stay where they are.
+            let plate = turn.plate.later(self.time - turn.time);
+            self.gaps[0] += self.plate.position() - plate.position();
+            self.rates[0] += self.plate.velocity() - plate.velocity();
+            self.plate = plate;
+        } else {
+            (self.time, self.plate) = (turn.time, turn.plate);
+        }
+        self
     }
 
     /// Gives the soft contacts of beads that rest on the floor the overlap that

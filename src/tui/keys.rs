@@ -42,6 +42,8 @@ pub enum Action {
     Prompt,
     /// Take the last edit back.
     Undo,
+    /// Make the edit again that was taken back last.
+    Redo,
     /// Back to the preset.
     Reset,
     /// Draw the whole screen again.
@@ -179,8 +181,9 @@ pub const BINDINGS: &[Binding] = &[
         .help(":", "type name=value, such as t_c=4.6us or N=20")
         .hint(":", "set", 4),
     key(&[Char('u')], Action::Undo)
-        .help("u", "undo the last edit")
+        .help("u U", "undo the last edit; redo it")
         .hint("u", "undo", 8),
+    key(&[Char('U')], Action::Redo),
     key(&[Char('0'), Backspace], Action::Reset).help("0", "back to the preset"),
     key(&[Char('?'), Char('h')], Action::Help)
         .help("?", "this help")

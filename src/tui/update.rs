@@ -187,6 +187,13 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             let undo = |bench: &mut Bench| bench.undo().ok_or("nothing to undo".to_owned());
             edit::rearrange(model, undo, now)
         }
+        Action::Redo => {
+            let change = model
+                .bench
+                .redo()
+                .ok_or_else(|| "nothing to redo".to_owned());
+            changed_or_said(model, change, now)
+        }
         Action::Reset => {
             let pristine = || "this is the preset as it came".to_owned();
             let reset = |bench: &mut Bench| bench.reset().ok_or_else(pristine);

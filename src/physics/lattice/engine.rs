@@ -178,6 +178,8 @@ impl<M: Mover, L: Law, S: Surface> Engine for Lattice<M, L, S> {
             gaps: places,
             rates,
             plate: self.state.plate,
+            course: self.state.course.clone(),
+            settled: self.state.settled,
             springs: vec![self.plane.floor, self.plane.pair],
             bonds: self.state.bonds.clone(),
             books,

@@ -15,6 +15,8 @@ pub struct Bench {
     scenes: Vec<Scene>,
     original: Vec<Scene>,
     undo: Vec<Vec<Scene>>,
+    /// What was undone, the last one last; nothing after another edit.
+    redo: Vec<Vec<Scene>>,
     /// Which of two scenes is the preset's own, now and in the preset.
     own: usize,
     first_own: usize,
@@ -71,6 +73,7 @@ impl Bench {
             original: scenes.clone(),
             scenes,
             undo: Vec::new(),
+            redo: Vec::new(),
             own,
             first_own: own,
             soft: None,
@@ -211,7 +214,16 @@ impl Bench {
     pub fn undo(&mut self) -> Option<Change> {
         let before = self.undo.pop()?;
         let change = self.change_to(&before);
-        self.scenes = before;
+        self.redo.push(std::mem::replace(&mut self.scenes, before));
+        self.settle();
+        Some(change)
+    }
+
+    /// Makes the edit again that was taken back last, if there is one.
+    pub fn redo(&mut self) -> Option<Change> {
+        let again = self.redo.pop()?;
+        let change = self.change_to(&again);
+        self.undo.push(std::mem::replace(&mut self.scenes, again));
         self.settle();
         Some(change)
     }
@@ -279,14 +291,14 @@ impl Bench {
         if self.scenes.len() == 2 {
             let kept = self.own.min(1);
             self.scenes = vec![self.scenes[kept].clone()];
-            self.undo.clear();
+            self.forget_edits();
             self.settle();
             return Ok(Change::GoOn(vec![kept]));
         }
         let own = self.scenes[0].clone();
         if let Some(column) = own.column_as_high() {
             let column = column.map_err(|error| format!("no column beside it: {error}"))?;
-            self.undo.clear();
+            self.forget_edits();
             self.scenes = vec![own, column];
             self.settle();
             return Ok(Change::Restart);
@@ -297,7 +309,7 @@ impl Bench {
             Self::with(&own, self.soft).unwrap_or_else(|| own.with_method(MethodName::Gear))
         };
         let twin = twin.map_err(|error| format!("no twin: {error}"))?;
-        self.undo.clear();
+        self.forget_edits();
         self.own = usize::from(twin.is_md());
         self.scenes = if twin.is_md() {
             vec![twin, own]
@@ -324,8 +336,15 @@ impl Bench {
             self.undo.remove(0);
         }
         self.undo.push(std::mem::replace(&mut self.scenes, scenes));
+        self.redo.clear();
         self.settle();
         change
+    }
+
+    /// Other columns have other scenes than those that could be gone back to.
+    fn forget_edits(&mut self) {
+        self.undo.clear();
+        self.redo.clear();
     }
 
     /// Remembers the methods in force, and checks the scenes.

@@ -61,6 +61,10 @@ const TERMS: &[(&str, &str)] = &[
         "change of the energy ledger, relative to its largest term: it checks the books; a grid is off by far more (x).",
     ),
     (
+        "edits",
+        "act at once, and beads and plate keep their places and velocities. Another amplitude or frequency acts gently, from when the plate next passes its middle: one swing, about a period, leads over to the new motion without a jump of place, velocity or acceleration. What rests is thrown only if one of both motions throws it. Undo, redo and 0 lead back in the same way; r starts with it from t = 0. Overlaps alone change at once: a stiffer contact law keeps a contact's force, so the beads above rise a little, a softer one its overlap.",
+    ),
+    (
         "Gear Verlet",
         "soft contacts on a fixed grid of steps, t_c/100 say. Too few steps and they blow up; the screen warns.",
     ),
