@@ -17,7 +17,7 @@ pub mod outbox;
 mod screen;
 pub mod signals;
 pub mod theme;
-mod tmux;
+pub mod tmux;
 mod tty;
 pub mod update;
 pub mod view;

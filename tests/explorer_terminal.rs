@@ -1,181 +1,16 @@
 //! The explorer on a real pseudo-terminal: what it writes, and how it leaves.
 #![cfg(target_os = "linux")]
 
-use std::fs::{self, File};
-use std::io::{Read, Write};
-use std::os::unix::process::{CommandExt, ExitStatusExt};
-use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::{Arc, Mutex};
+#[path = "support/session.rs"]
+mod session;
+
+use std::os::unix::process::ExitStatusExt;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use rustix::process::{Pid, Signal, kill_process};
-use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
-use rustix::termios::{LocalModes, Winsize, tcgetattr, tcsetwinsize};
-
-const LEFT: &[u8] = b"\x1b[?25h\x1b[?1049l";
-
-/// The program on a terminal of 80 columns and 24 rows.
-struct Session {
-    child: Child,
-    screen: Option<File>,
-    terminal: File,
-    written: Arc<Mutex<Vec<u8>>>,
-}
-
-fn winsize(columns: u16, rows: u16) -> Winsize {
-    Winsize {
-        ws_row: rows,
-        ws_col: columns,
-        ws_xpixel: 0,
-        ws_ypixel: 0,
-    }
-}
-
-impl Session {
-    fn start(arguments: &[&str], reads: bool) -> Session {
-        Session::start_with(arguments, &[], reads)
-    }
-
-    /// Starts the program with further variables; nobody `reads` what it writes, or
-    /// somebody does.
-    fn start_with(arguments: &[&str], variables: &[(&str, &str)], reads: bool) -> Session {
-        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC)
-            .expect("a pseudo-terminal is to be had");
-        grantpt(&master).expect("it is ours");
-        unlockpt(&master).expect("it is ours");
-        let name = ptsname(&master, Vec::new()).expect("it has a name");
-        let path = name.into_string().expect("its name is a path");
-        let terminal = File::options()
-            .read(true)
-            .write(true)
-            .open(path)
-            .expect("it opens");
-        tcsetwinsize(&terminal, winsize(80, 24)).expect("it has a size");
-        let end = || Stdio::from(terminal.try_clone().expect("files are to be had"));
-        let child = Command::new(env!("CARGO_BIN_EXE_beadlab"))
-            .args(arguments)
-            .env("TERM", "xterm-256color")
-            .env("LC_ALL", "C.UTF-8")
-            .env_remove("NO_COLOR")
-            .envs(variables.iter().copied())
-            .stdin(end())
-            .stdout(end())
-            .stderr(end())
-            .process_group(0)
-            .spawn()
-            .expect("the program starts");
-        let screen = File::from(master);
-        let written = Arc::new(Mutex::new(Vec::new()));
-        if reads {
-            let (mut eye, seen) = (
-                screen.try_clone().expect("files are to be had"),
-                Arc::clone(&written),
-            );
-            thread::spawn(move || {
-                let mut buffer = [0; 4096];
-                while let Ok(count @ 1..) = eye.read(&mut buffer) {
-                    seen.lock()
-                        .expect("nobody panics with it")
-                        .extend_from_slice(&buffer[..count]);
-                }
-            });
-        }
-        Session {
-            child,
-            screen: Some(screen),
-            terminal,
-            written,
-        }
-    }
-
-    fn type_keys(&mut self, keys: &str) {
-        let screen = self.screen.as_mut().expect("the terminal is there");
-        screen
-            .write_all(keys.as_bytes())
-            .expect("the terminal takes keys");
-    }
-
-    fn signal(&self, signal: Signal) {
-        kill_process(Pid::from_child(&self.child), signal).expect("the program is there");
-    }
-
-    fn count(&self) -> usize {
-        self.written.lock().expect("nobody panics with it").len()
-    }
-
-    fn bytes(&self) -> Vec<u8> {
-        self.written.lock().expect("nobody panics with it").clone()
-    }
-
-    /// Waits until so many bytes are written.
-    fn wait_for_bytes(&self, count: usize) {
-        wait(
-            || (self.count() >= count).then_some(()),
-            "the program to draw",
-        );
-    }
-
-    fn wait_for_end(&mut self) -> ExitStatus {
-        wait(
-            || {
-                self.child
-                    .try_wait()
-                    .expect("the program can be waited for")
-            },
-            "the program to end",
-        )
-    }
-
-    /// Whether the terminal is in the mode in which it was found.
-    fn is_cooked(&self) -> bool {
-        let modes = tcgetattr(&self.terminal)
-            .expect("the terminal is there")
-            .local_modes;
-        modes.contains(LocalModes::ICANON | LocalModes::ECHO)
-    }
-
-    fn was_left(&self) -> bool {
-        self.bytes()
-            .windows(LEFT.len())
-            .any(|window| window == LEFT)
-    }
-
-    /// Letter of the process's state, and CPU time used, s.
-    fn process(&self) -> (String, f64) {
-        let stat = fs::read_to_string(format!("/proc/{}/stat", self.child.id()))
-            .expect("the program is there");
-        let fields: Vec<&str> = stat
-            .rsplit(')')
-            .next()
-            .unwrap_or_default()
-            .split_whitespace()
-            .collect();
-        let ticks: f64 = [11, 12]
-            .iter()
-            .map(|&k: &usize| fields[k].parse::<f64>().expect("ticks"))
-            .sum();
-        (fields[0].to_owned(), ticks / 100.0)
-    }
-}
-
-impl Drop for Session {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-fn wait<T>(mut ready: impl FnMut() -> Option<T>, what: &str) -> T {
-    let start = Instant::now();
-    while start.elapsed() < Duration::from_secs(10) {
-        if let Some(result) = ready() {
-            return result;
-        }
-        thread::sleep(Duration::from_millis(5));
-    }
-    panic!("waited in vain for {what}");
-}
+use rustix::process::Signal;
+use rustix::termios::tcsetwinsize;
+use session::{Session, Setup, wait, winsize};
 
 #[test]
 fn q_gives_the_terminal_back() {
@@ -193,7 +28,14 @@ fn q_gives_the_terminal_back() {
 
 #[test]
 fn signals_end_it_with_their_number_and_a_clean_terminal() {
-    for (signal, code) in [(Signal::TERM, 143), (Signal::INT, 130), (Signal::HUP, 129)] {
+    for (signal, code) in [
+        (Signal::TERM, 143),
+        (Signal::INT, 130),
+        (Signal::HUP, 129),
+        (Signal::QUIT, 131),
+        (Signal::USR1, 138),
+        (Signal::XCPU, 152),
+    ] {
         let mut session = Session::start(&[], true);
         session.wait_for_bytes(3000);
         session.signal(signal);
@@ -292,7 +134,11 @@ fn it_writes_little_and_nothing_when_paused() {
 
 #[test]
 fn ascii_and_no_colours_are_to_be_had() {
-    let mut session = Session::start_with(&["--ascii"], &[("NO_COLOR", "1")], true);
+    let mut session = Session::start_as(&Setup {
+        arguments: &["--ascii"],
+        variables: &[("NO_COLOR", "1")],
+        ..Setup::default()
+    });
     session.wait_for_bytes(3000);
     let bytes = session.bytes();
     assert!(bytes.is_ascii());
@@ -307,4 +153,152 @@ fn ascii_and_no_colours_are_to_be_had() {
     }
     session.type_keys("q");
     session.wait_for_end();
+}
+
+/// A failed allocation ends the program by this signal.
+#[test]
+fn an_abort_leaves_the_terminal_whole() {
+    let mut session = Session::start(&[], true);
+    session.wait_for_bytes(3000);
+    session.signal(Signal::ABORT);
+    assert_eq!(session.wait_for_end().signal(), Some(6));
+    wait(
+        || session.was_left().then_some(()),
+        "the alternate screen to be left",
+    );
+    assert!(session.is_cooked());
+}
+
+/// Nobody could continue the leader of a session.
+#[test]
+fn ctrl_z_where_no_shell_is_says_so() {
+    let mut session = Session::start_as(&Setup {
+        leads: true,
+        ..Setup::default()
+    });
+    session.wait_for_bytes(3000);
+    for stop in ["\x1a", ""] {
+        let before = session.count();
+        if stop.is_empty() {
+            session.signal(Signal::TSTP);
+        } else {
+            session.type_keys(stop);
+        }
+        let told = || {
+            let text = session.bytes().split_off(before);
+            let text = String::from_utf8_lossy(&text).into_owned();
+            text.contains("not stopped").then_some(())
+        };
+        wait(told, "the reason why it goes on");
+        session.type_keys("\x1b[A");
+        thread::sleep(Duration::from_millis(200));
+        assert_ne!(session.process().0, "T");
+    }
+    session.type_keys("q");
+    assert_eq!(session.wait_for_end().code(), Some(0));
+}
+
+/// What stands on a screen of that width: as far as texts go, the last written ones.
+fn widest_column(bytes: &[u8]) -> usize {
+    let text = String::from_utf8_lossy(bytes);
+    let moves = text.split("\x1b[").filter_map(|rest| rest.split_once('H'));
+    let columns = moves.filter_map(|(place, rest)| {
+        let (_, column) = place.split_once(';')?;
+        let run = rest.split('\x1b').next().unwrap_or_default();
+        Some(column.parse::<usize>().ok()? + run.chars().count())
+    });
+    columns.max().unwrap_or(0)
+}
+
+/// Terminals of containers start without a size, and get one a moment later.
+#[test]
+fn a_size_that_comes_late_is_followed() {
+    for delay in [0, 5, 15, 30, 60] {
+        let mut session = Session::start_as(&Setup {
+            size: (0, 0),
+            ..Setup::default()
+        });
+        thread::sleep(Duration::from_millis(delay));
+        let screen = session.screen.as_ref().expect("the terminal is there");
+        tcsetwinsize(screen, winsize(150, 40)).expect("it takes a size");
+        session.signal(Signal::WINCH);
+        let is_wide = || (widest_column(&session.bytes()) > 140).then_some(());
+        wait(is_wide, "the page to be as wide as the terminal");
+        session.type_keys("q");
+        assert_eq!(session.wait_for_end().code(), Some(0));
+    }
+}
+
+#[test]
+fn a_terminal_without_a_size_gets_a_page() {
+    let mut session = Session::start_as(&Setup {
+        size: (0, 0),
+        ..Setup::default()
+    });
+    let is_drawn = || (widest_column(&session.bytes()) > 70).then_some(());
+    wait(is_drawn, "80 columns to be drawn");
+    session.type_keys("q");
+    assert_eq!(session.wait_for_end().code(), Some(0));
+}
+
+/// Sixty thousand columns and rows are four thousand million cells.
+#[test]
+fn impossible_sizes_are_drawn_in_part() {
+    let mut session = Session::start_as(&Setup {
+        size: (60_000, 60_000),
+        ..Setup::default()
+    });
+    session.wait_for_bytes(3000);
+    session.type_keys("q");
+    assert_eq!(session.wait_for_end().code(), Some(0));
+}
+
+/// Whoever reads the terminal next must not get its answers.
+#[test]
+fn no_answer_is_left_behind() {
+    for _ in 0..3 {
+        let mut session = Session::start(&[], true);
+        session.wait_for_bytes(6000);
+        session.type_keys("q");
+        assert_eq!(session.wait_for_end().code(), Some(0));
+        let asked = session
+            .bytes()
+            .windows(4)
+            .filter(|window| *window == b"\x1b[5n")
+            .count();
+        assert!(asked > 2);
+        // Back in its own mode the terminal would have a line with it; none comes.
+        let waiting = rustix::io::ioctl_fionread(&session.terminal).expect("it is a terminal");
+        assert_eq!(waiting, 0);
+    }
+}
+
+#[test]
+fn a_terminal_that_cannot_move_its_cursor_is_told_so() {
+    for term in ["dumb", ""] {
+        let mut session = Session::start_as(&Setup {
+            variables: &[("TERM", term)],
+            ..Setup::default()
+        });
+        assert_eq!(session.wait_for_end().code(), Some(2));
+        let text = String::from_utf8_lossy(&session.bytes()).into_owned();
+        assert_eq!(text.trim_end().lines().count(), 1, "{text}");
+        assert!(text.contains("TERM"), "{text}");
+    }
+}
+
+/// A terminal that gives no receipts gets less, but goes on to get it, and keys work.
+#[test]
+fn a_silent_terminal_gets_a_careful_rate() {
+    let mut session = Session::start_as(&Setup {
+        answers: false,
+        ..Setup::default()
+    });
+    thread::sleep(Duration::from_secs(4));
+    let before = session.count();
+    thread::sleep(Duration::from_secs(6));
+    let rate = (session.count() - before) / 6;
+    assert!((300..1_500).contains(&rate), "{rate} bytes per second");
+    session.type_keys("q");
+    assert_eq!(session.wait_for_end().code(), Some(0));
 }

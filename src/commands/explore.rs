@@ -41,7 +41,19 @@ pub fn explore(preset: Preset, options: &ExploreOptions) -> Result<(), Failure> 
             "--speed {speed}: must be a number above 0"
         )));
     }
-    let theme = Theme::detect(options.ascii, |name| std::env::var(name).ok());
+    let variable = |name: &str| std::env::var(name).ok();
+    let term = crate::tui::tmux::terminal().or_else(|| variable("TERM"));
+    if cfg!(unix) && matches!(term.as_deref(), None | Some("" | "dumb")) {
+        return Err(Failure::BadInput(
+            "TERM is unset or dumb, a terminal that cannot move its cursor; set TERM, such as \
+             TERM=xterm, or use `beadlab run`"
+                .to_owned(),
+        ));
+    }
+    let theme = Theme::detect(options.ascii, |name| match name {
+        "TERM" => term.clone(),
+        name => variable(name),
+    });
     let build = Box::new(physics::build);
     match crate::tui::run(preset, options.speed, theme, build).map_err(Failure::Failed)? {
         Ending::Quit => Ok(()),

@@ -10,8 +10,9 @@ use std::time::Instant;
 use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
 use crossterm::event::Event;
 
-/// Keys that wait for a busy screen.
-const KEYS: usize = 256;
+/// Keys that wait for a busy screen: more than anybody types, since what is not read has no
+/// time, by which an Esc alone is told from a sequence, and the end of a paste.
+const KEYS: usize = 1 << 16;
 
 /// What is heard of the terminal.
 #[derive(Debug)]

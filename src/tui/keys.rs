@@ -198,6 +198,19 @@ pub const BINDINGS: &[Binding] = &[
 
 /// What a key asks for on the main screen. Alt and Shift make a nudge coarse.
 pub fn action(key: KeyEvent) -> Option<Action> {
+    // Both together are AltGr on Windows, by which many a keyboard has its brackets.
+    let alt_gr = key
+        .modifiers
+        .contains(KeyModifiers::CONTROL | KeyModifiers::ALT)
+        && matches!(key.code, Char(_));
+    let key = KeyEvent {
+        modifiers: if alt_gr {
+            KeyModifiers::NONE
+        } else {
+            key.modifiers
+        },
+        ..key
+    };
     let ctrl = key.modifiers.contains(KeyModifiers::CONTROL);
     let coarse_arrow = !matches!(key.code, Char(_))
         && key
@@ -279,6 +292,17 @@ mod tests {
                 coarse: true
             })
         );
+    }
+
+    /// Kitty's Alt-Shift-t is taken for what it writes by the reader of its protocol.
+    #[test]
+    fn alt_gr_writes_brackets() {
+        let both = KeyModifiers::CONTROL | KeyModifiers::ALT;
+        for c in ['[', ']'] {
+            let typed = action(KeyEvent::new(Char(c), both));
+            assert!(typed.is_some());
+            assert_eq!(typed, action(KeyEvent::new(Char(c), KeyModifiers::NONE)));
+        }
     }
 
     #[test]

@@ -73,12 +73,17 @@ mod unix {
     /// whole: no other thread gets a chance after the handler returns.
     #[allow(unsafe_code, reason = "proved below")]
     fn leave_on_abort() -> io::Result<()> {
+        let give_back_and_end = || {
+            guard::leave_at_once();
+            // Somebody else's signal does not end the program by itself any more.
+            let _ = emulate_default_handler(SIGABRT);
+        };
         // SAFETY: a handler must do only what is safe at any point of the program.
         // `leave_at_once` reads and swaps atomics, and calls write(2), tcflush(3) and
         // tcsetattr(3), all on POSIX's list of functions that are; it allocates nothing, takes
-        // no lock, and does not panic. It does not return to the program: after it abort(3)
-        // goes on to end it.
-        unsafe { register(SIGABRT, guard::leave_at_once) }.map(|_| ())
+        // no lock, and does not panic. `emulate_default_handler` is documented to be safe in a
+        // handler. Neither returns to a program whose state is in doubt.
+        unsafe { register(SIGABRT, give_back_and_end) }.map(|_| ())
     }
 
     fn tell(sender: &Sender<Signal>, signal: Signal) {

@@ -18,7 +18,8 @@ pub struct Theme {
 }
 
 impl Theme {
-    /// The theme for the environment: `variable` looks a variable up.
+    /// The theme for the environment: `variable` looks a variable up, `TERM` being what the
+    /// terminal itself is.
     pub fn detect(force_ascii: bool, variable: impl Fn(&str) -> Option<String>) -> Theme {
         let set = |name: &str| variable(name).filter(|value| !value.is_empty());
         let term = set("TERM").unwrap_or_default();

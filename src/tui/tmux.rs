@@ -1,8 +1,9 @@
-//! tmux passes questions on to the terminals that show it only where its pane allows it.
+//! tmux, between the program and the terminals that show it.
 
 use std::process::{Command, Stdio};
 
-/// Keeps the pane of this program open to questions; as it was when dropped.
+/// Keeps the pane of this program open to questions, which tmux passes on only where the pane
+/// allows it; as it was when dropped.
 #[derive(Debug)]
 pub struct Passage(());
 
@@ -22,6 +23,13 @@ impl Drop for Passage {
     fn drop(&mut self) {
         tmux(&["set-option", "-p", "-u", "allow-passthrough"]);
     }
+}
+
+/// What the terminal that shows this pane calls itself; tmux calls itself `screen` on all.
+pub fn terminal() -> Option<String> {
+    std::env::var_os("TMUX")?;
+    let name = tmux(&["display-message", "-p", "#{client_termname}"])?;
+    Some(name.trim().to_owned()).filter(|name| !name.is_empty())
 }
 
 /// What tmux answers to a command about this pane.

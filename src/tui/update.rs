@@ -79,6 +79,13 @@ pub fn update(model: &mut Model, msg: Msg, now: Instant) -> Option<Command> {
 
 fn on_key(model: &mut Model, key: KeyEvent, now: Instant) -> Option<Command> {
     model.message = None;
+    // Terminals join Esc and a key that follows soon, which tmux and screen take to be half a
+    // second: nothing that lies over the screen knows Alt, and Esc closes it.
+    let joined = matches!(key.code, KeyCode::Char(_)) && key.modifiers == KeyModifiers::ALT;
+    if joined && !matches!(model.overlay, Overlay::None) {
+        on_key(model, KeyCode::Esc.into(), now);
+        return on_key(model, key.code.into(), now);
+    }
     // These work everywhere.
     let everywhere = keys::action(key).filter(|_| key.modifiers.contains(KeyModifiers::CONTROL));
     if let Some(action @ (Action::Quit | Action::Suspend | Action::Redraw)) = everywhere {
@@ -188,11 +195,8 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             edit::rearrange(model, undo, now)
         }
         Action::Redo => {
-            let change = model
-                .bench
-                .redo()
-                .ok_or_else(|| "nothing to redo".to_owned());
-            changed_or_said(model, change, now)
+            let redo = |bench: &mut Bench| bench.redo().ok_or("nothing to redo".to_owned());
+            edit::rearrange(model, redo, now)
         }
         Action::Reset => {
             let pristine = || "this is the preset as it came".to_owned();

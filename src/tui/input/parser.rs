@@ -50,8 +50,10 @@ enum Pending {
 pub struct Parser {
     grammar: vte::Parser,
     pending: Pending,
-    /// Since when more bytes are waited for.
+    /// When the last sequence began.
     since: Instant,
+    /// When the last text came.
+    pasted: Instant,
     listener: Listener,
 }
 
@@ -62,6 +64,7 @@ impl Parser {
             grammar: vte::Parser::new(),
             pending: Pending::Nothing,
             since: now,
+            pasted: now,
             listener: Listener::default(),
         }
     }
@@ -72,24 +75,27 @@ impl Parser {
             self.give_up();
         }
         for &byte in bytes {
-            if byte == ESC || self.listener.paste.is_some() || self.pending == Pending::Nothing {
+            if byte == ESC {
                 self.since = now;
             }
             self.take(byte);
+            // An answer in its midst does not make a paste last.
+            if self.listener.heard != Heard::Receipt && self.pending == Pending::Nothing {
+                self.pasted = now;
+            }
         }
         self.said()
     }
 
     /// When to wait no longer for the rest of what has begun; for ever if nothing has.
     pub fn deadline(&self) -> Option<Instant> {
-        let limit = match self.pending {
-            Pending::Escape | Pending::End => ESCAPE,
-            Pending::Introduced(_) | Pending::Open => SEQUENCE,
-            Pending::Nothing if self.listener.paste.is_some() => PASTE,
-            Pending::Nothing if self.listener.skip > 0 => SEQUENCE,
-            Pending::Nothing => return None,
-        };
-        Some(self.since + limit)
+        match self.pending {
+            Pending::Escape | Pending::End => Some(self.since + ESCAPE),
+            Pending::Introduced(_) | Pending::Open => Some(self.since + SEQUENCE),
+            Pending::Nothing if self.listener.paste.is_some() => Some(self.pasted + PASTE),
+            Pending::Nothing if self.listener.skip > 0 => Some(self.since + SEQUENCE),
+            Pending::Nothing => None,
+        }
     }
 
     /// What it means that nothing has come until the deadline.
@@ -172,6 +178,8 @@ enum Heard {
     Control,
     /// It ended a string.
     String,
+    /// It ended an answer.
+    Receipt,
     /// It was or ended something else.
     Something,
 }
@@ -335,20 +343,24 @@ impl Perform for Listener {
         let number = first.first().copied().unwrap_or(0);
         let second = params.next().unwrap_or(&[1]);
         let held = modifiers(second.first().copied().unwrap_or(1));
+        if !intermediates.is_empty() {
+            return;
+        }
+        // 0: ready; 3: a malfunction, but of a terminal that has read so far.
+        if last == 'n' && matches!(number, 0 | 3) {
+            self.heard = Heard::Receipt;
+            self.said.push(Said::Receipt);
+            return;
+        }
         if self.paste.is_some() {
             if (number, last) == (201, '~') {
                 self.end_paste();
             }
             return;
         }
-        if !intermediates.is_empty() {
-            return;
-        }
         // Kitty tells of keys that are let go when asked to: third, of the second number.
         let let_go = second.get(1) == Some(&3);
         match last {
-            // 0: ready; 3: a malfunction, but of a terminal that has read so far.
-            'n' if matches!(number, 0 | 3) => self.said.push(Said::Receipt),
             _ if let_go => {}
             '~' if number == 27 => {
                 if let Some(&[code]) = params.next() {
@@ -550,5 +562,18 @@ mod tests {
     fn pastes_are_text() {
         assert_eq!(said("\x1b[200~n=3\rq\x1b[A\x1b[201~q"), "paste:n=3\rq q");
         assert_eq!(said("\x1b[200~n=3|q"), "paste:n=3 q");
+        // Receipts come all the while.
+        assert_eq!(
+            said("\x1b[200~n=\x1b[0n3|\x1b[0nq"),
+            "receipt paste:n=3 receipt q"
+        );
+        let start = Instant::now();
+        let mut parser = Parser::new(start);
+        let mut all = parser.feed(b"\x1b[200~n=3", start);
+        for k in 1..6 {
+            all.extend(parser.feed(b"\x1b[0n", after(100 * k, start)));
+        }
+        all.extend(parser.feed(b"q", after(600, start)));
+        assert_eq!(all.iter().map(word).next_back().as_deref(), Some("q"));
     }
 }
