@@ -54,6 +54,7 @@ pub fn winsize(columns: u16, rows: u16) -> Winsize {
 
 /// How a program is started.
 pub struct Setup<'a> {
+    pub program: &'a str,
     pub arguments: &'a [&'a str],
     pub variables: &'a [(&'a str, &'a str)],
     /// Whether somebody reads what it writes.
@@ -69,6 +70,7 @@ pub struct Setup<'a> {
 impl Default for Setup<'_> {
     fn default() -> Self {
         Setup {
+            program: env!("CARGO_BIN_EXE_beadlab"),
             arguments: &[],
             variables: &[],
             reads: true,
@@ -102,7 +104,7 @@ impl Session {
             .expect("it opens");
         tcsetwinsize(&terminal, winsize(setup.size.0, setup.size.1)).expect("it has a size");
         let end = || Stdio::from(terminal.try_clone().expect("files are to be had"));
-        let program = env!("CARGO_BIN_EXE_beadlab");
+        let program = setup.program;
         let mut command = if setup.leads {
             let mut command = Command::new("setsid");
             command.args(["-c", program]);
@@ -151,6 +153,13 @@ impl Session {
 
     pub fn signal(&self, signal: Signal) {
         kill_process(Pid::from_child(&self.child), signal).expect("the program is there");
+    }
+
+    /// Whether a text stands on the screen of 80 columns and 24 rows now.
+    pub fn shows(&self, text: &str) -> bool {
+        let mut screen = vt100::Parser::new(24, 80, 0);
+        screen.process(&self.bytes());
+        screen.screen().contents().contains(text)
     }
 
     pub fn count(&self) -> usize {
