@@ -40,9 +40,10 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
         interrupt.flag(),
         |row| {
             let scene = sweep.scene(row);
-            let measured = Row::of(&scene, measure_unless(&scene, interrupt.flag())?);
-            progress.one_more();
-            Some(measured)
+            let mut row = progress.row(&scene);
+            let outcome = measure_unless(&scene, interrupt.flag(), &mut |time| row.show(time))?;
+            row.done();
+            Some(Row::of(&scene, outcome))
         },
         |row, measured| match file.push(&Format::line(&sweep.values(row), &measured)) {
             Ok(()) => {

@@ -149,6 +149,7 @@ pub fn common_tolerance(scene: &Scene) -> f64 {
 pub fn advise(preset: &Preset, question: Question, tell: &mut Tell) -> Result<Advice, AdviseError> {
     let family = family::Family::of(preset)?;
     let search = search::Search::run(&family, question, tell)?;
+    tell("the verdict", None);
     let judged =
         verdict(&preset.scene, &mut |_| ControlFlow::Continue(())).map_err(AdviseError::Limit)?;
     let cost = search
