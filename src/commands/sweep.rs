@@ -1,10 +1,11 @@
 //! `beadlab sweep`: a scene at every point of a product of ranges, into a CSV file.
 
 mod file;
-mod interrupt;
+mod resume;
 mod rows;
 
 use super::progress::RowsDone;
+use super::signals::Interrupt;
 use super::{Failure, bad_input, layer};
 use crate::cli::SweepArgs;
 use crate::scene::Preset;
@@ -31,7 +32,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     };
     let (mut file, before) = RowsFile::open(&args.out, mode, &format, &sweep)?;
     let mut failed = before.failed;
-    let interrupt = interrupt::Interrupt::watch();
+    let interrupt = Interrupt::watch();
     let progress = RowsDone::new(before.rows, sweep.rows());
     let mut broken = None;
     let handed = sweep::run(
