@@ -103,8 +103,14 @@ pub enum AdviseError {
     #[error("the limit cannot be measured: {0}")]
     Limit(RunError),
     /// The limit takes longer than there is time.
-    #[error("the limit alone takes more than its share of the time; --budget gives more")]
-    LimitTooSlow,
+    #[error(
+        "the limit alone takes more than its share of the time, {share} s, a quarter of --budget \
+         (hard spheres near inelastic collapse may take minutes)"
+    )]
+    LimitTooSlow {
+        /// What it had, s.
+        share: f64,
+    },
     /// No run with soft contacts gave anything.
     #[error("no contact time gives a result: {0}")]
     Nothing(String),

@@ -99,7 +99,10 @@ impl<'a> Search<'a> {
         self.limit.look(self.kind, periods, end);
         match &self.limit.outcome {
             Outcome::Failed(error) => Err(AdviseError::Limit(error.clone())),
-            Outcome::TooSlow | Outcome::Unseen => Err(AdviseError::LimitTooSlow),
+            Outcome::TooSlow | Outcome::Unseen => {
+                let share = (self.question.time / SHARE).as_secs_f64();
+                Err(AdviseError::LimitTooSlow { share })
+            }
             Outcome::Nothing(why) => Err(AdviseError::NoLimit((*why).to_owned())),
             Outcome::Seen(_) => Ok(()),
         }
