@@ -9,6 +9,7 @@ pub mod presets;
 mod progress;
 mod report;
 pub mod run;
+mod signals;
 pub mod speed;
 pub mod stability;
 pub mod sweep;
@@ -16,7 +17,7 @@ mod usage;
 
 use crate::cli::{Cli, Command};
 use crate::scene::parameters::{self, Setting};
-use crate::scene::words::quote;
+use crate::scene::words::{one_line, quote};
 use crate::scene::{MethodName, Preset};
 use crate::study::RunError;
 use clap::Parser;
@@ -55,7 +56,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             };
             for line in message.lines() {
                 // Nobody may be listening any more, and that is no reason to panic.
-                let _ = writeln!(io::stderr(), "beadlab: {line}");
+                let _ = writeln!(io::stderr(), "beadlab: {}", one_line(line));
             }
             ExitCode::from(code)
         }
@@ -67,6 +68,11 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
         Ok(cli) => cli,
         Err(error) => return usage::answer(&error),
     };
+    // The explorer and a sweep have their own ways to end.
+    let others = cli.command.as_ref();
+    if others.is_some_and(|command| !matches!(command, Command::Sweep(_))) {
+        signals::leave_nothing_behind()?;
+    }
     match cli.command {
         Some(Command::Run(args)) => run::run(&args),
         Some(Command::Accuracy(args)) => accuracy::run(&args),
@@ -127,7 +133,7 @@ fn bad_input(error: impl std::fmt::Display) -> Failure {
 
 /// A remark on standard error, where it does not mix with the results.
 fn note(remark: &str) {
-    let _ = writeln!(io::stderr(), "beadlab: note: {remark}");
+    let _ = writeln!(io::stderr(), "beadlab: note: {}", one_line(remark));
 }
 
 /// What became of printing: a reader that has seen enough is no failure.

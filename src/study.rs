@@ -21,8 +21,11 @@ pub mod verdict;
 
 pub use drive::{Allowance, Drive, RunError, SLICE, Watch, in_time, natural_time};
 pub use measure::{Results, measure};
-pub use sensitivity::{Sensitivity, digits, in_its_digits, is_cheap, rounded, sensitivity};
+pub use sensitivity::{
+    Sensitivity, digits, in_its_digits, is_cheap, rounded, sensitivity, work_of_sensitivity,
+};
 pub use vary::{PATTERNS, one_ulp_off, vary};
 
-/// Who waits for a study: is told what it is at, and which part of it is done.
-pub type Tell<'a> = dyn FnMut(&str, f64) + 'a;
+/// Who waits for a study: is told what it is at, and which part of it is done, where that
+/// is known.
+pub type Tell<'a> = dyn FnMut(&str, Option<f64>) + 'a;

@@ -43,7 +43,7 @@ pub fn run(args: &AdviseArgs) -> Result<(), Failure> {
     });
     drop(waiting);
     let advice = advice.map_err(|error| match error {
-        AdviseError::Limit(_) | AdviseError::LimitTooSlow | AdviseError::NoLimit(_) => {
+        AdviseError::Limit(_) | AdviseError::LimitTooSlow { .. } | AdviseError::NoLimit(_) => {
             Failure::Failed(error.to_string())
         }
         error => bad_input(error),

@@ -22,8 +22,14 @@ pub fn run(args: &FigureArgs) -> Result<(), Failure> {
     let mut waiting = Waiting::new();
     let sheets = figures
         .iter()
-        .map(|figure| {
-            let sheet = figure.make(pains, &mut |what, part| waiting.show(what, part))?;
+        .enumerate()
+        .map(|(k, figure)| {
+            let before = match figures.len() {
+                1 => String::new(),
+                all => format!("{} of {all} figures; ", k + 1),
+            };
+            let mut tell = |what: &str, part| waiting.show(&format!("{before}{what}"), part);
+            let sheet = figure.make(pains, &mut tell)?;
             Ok((figure, sheet))
         })
         .collect::<Result<Vec<_>, FigureError>>()

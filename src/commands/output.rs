@@ -2,9 +2,43 @@
 
 use crate::commands::{Failure, printed};
 use crate::scene::words::one_line;
+use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
+use std::mem;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The files that are written beside their places, so that a signal removes them.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes all files that are not finished, and says how many; none is begun or takes its
+/// place any more. For a program that ends.
+pub(in crate::commands) fn remove_unfinished() -> usize {
+    let mut files = unfinished();
+    let removed = mem::take(&mut *files);
+    for temporary in &removed {
+        // If it cannot be removed, so be it.
+        let _ = fs::remove_file(temporary);
+    }
+    mem::forget(files);
+    removed.len()
+}
+
+/// Why the file of an `--out` cannot be written, in one line.
+pub(in crate::commands) fn unwritable(path: &Path, error: &io::Error) -> String {
+    let path = one_line(&path.to_string_lossy());
+    let reason = match error.kind() {
+        ErrorKind::NotFound => "there is no such folder".to_owned(),
+        ErrorKind::IsADirectory => "a file is wanted, and this names a folder".to_owned(),
+        _ => one_line(&error.to_string()),
+    };
+    format!("--out {path}: cannot be written: {reason}")
+}
 
 /// Where results go.
 pub(in crate::commands) struct Output {
@@ -27,11 +61,8 @@ impl Output {
                 file: None,
             });
         };
-        let (file, unfinished) = create(path).map_err(|error| {
-            let path = one_line(&path.to_string_lossy());
-            let error = one_line(&error.to_string());
-            Failure::BadInput(format!("--out {path}: cannot be written: {error}"))
-        })?;
+        let (file, unfinished) =
+            create(path).map_err(|error| Failure::BadInput(unwritable(path, &error)))?;
         Ok(Self {
             writer: Box::new(file),
             file: Some(unfinished),
@@ -39,12 +70,27 @@ impl Output {
     }
 
     /// Everything is written: the file takes its place.
-    pub fn finish(mut self) -> Result<(), Failure> {
-        let result = self.writer.flush().and_then(|()| match &mut self.file {
-            Some(file) => file.take_place(),
-            None => Ok(()),
-        });
-        self.judge(result)
+    pub fn finish(self) -> Result<(), Failure> {
+        Self::finish_all(vec![self])
+    }
+
+    /// Everything is written: the files take their places, and no signal comes between.
+    pub fn finish_all(mut all: Vec<Self>) -> Result<(), Failure> {
+        for output in &mut all {
+            let flushed = output.writer.flush();
+            output.judge(flushed)?;
+        }
+        let mut waiting = unfinished();
+        for output in &mut all {
+            if let Some(file) = &mut output.file
+                && let Err(error) = file.take_place(&mut waiting)
+            {
+                let failure = file.failed(&error);
+                drop(waiting);
+                return Err(failure);
+            }
+        }
+        Ok(())
     }
 
     /// What became of writing: a reader that has seen enough is no failure.
@@ -67,13 +113,13 @@ impl Write for Output {
 }
 
 impl Unfinished {
-    fn take_place(&mut self) -> io::Result<()> {
-        match self.temporary.take() {
-            Some(temporary) => fs::rename(&temporary, &self.target).inspect_err(|_| {
-                self.temporary = Some(temporary);
-            }),
-            None => Ok(()),
+    fn take_place(&mut self, waiting: &mut Vec<PathBuf>) -> io::Result<()> {
+        if let Some(temporary) = &self.temporary {
+            fs::rename(temporary, &self.target)?;
+            waiting.retain(|other| other != temporary);
+            self.temporary = None;
         }
+        Ok(())
     }
 
     fn failed(&self, error: &io::Error) -> Failure {
@@ -85,6 +131,7 @@ impl Unfinished {
 impl Drop for Unfinished {
     fn drop(&mut self) {
         if let Some(temporary) = &self.temporary {
+            unfinished().retain(|other| other != temporary);
             // It is of no use any more; if it cannot be removed, so be it.
             let _ = fs::remove_file(temporary);
         }
@@ -95,9 +142,9 @@ fn create(path: &Path) -> io::Result<(File, Unfinished)> {
     // A link stays a link: what it points to is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     match fs::metadata(&target) {
-        Ok(found) if found.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+        Ok(found) if found.is_dir() => return Err(ErrorKind::IsADirectory.into()),
         Ok(found) if found.permissions().readonly() => {
-            return Err(io::ErrorKind::PermissionDenied.into());
+            return Err(ErrorKind::PermissionDenied.into());
         }
         // A device or pipe has no place to be taken.
         Ok(found) if !found.is_file() => {
@@ -112,15 +159,7 @@ fn create(path: &Path) -> io::Result<(File, Unfinished)> {
         }
         _ => {}
     }
-    let name = target.file_name().ok_or(io::ErrorKind::InvalidFilename)?;
-    let mut beside = std::ffi::OsString::from(".");
-    beside.push(name);
-    beside.push(format!(".{}.part", std::process::id()));
-    let temporary = target.with_file_name(beside);
-    let file = File::options()
-        .write(true)
-        .create_new(true)
-        .open(&temporary)?;
+    let (file, temporary) = create_beside(&target)?;
     Ok((
         file,
         Unfinished {
@@ -128,4 +167,41 @@ fn create(path: &Path) -> io::Result<(File, Unfinished)> {
             temporary: Some(temporary),
         },
     ))
+}
+
+/// A new file beside a place that is to be taken.
+fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
+    let name = target.file_name().ok_or(ErrorKind::IsADirectory)?;
+    // What is behind the name, as in `name/` or `name/.`, makes it that of a folder.
+    if !target
+        .as_os_str()
+        .as_encoded_bytes()
+        .ends_with(name.as_encoded_bytes())
+    {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    let mut waiting = unfinished();
+    let mut number = 0_u32;
+    loop {
+        let mut beside = OsString::from(".");
+        beside.push(name);
+        beside.push(match number {
+            0 => format!(".{}.part", std::process::id()),
+            _ => format!(".{}-{number}.part", std::process::id()),
+        });
+        let temporary = target.with_file_name(beside);
+        match File::options()
+            .write(true)
+            .create_new(true)
+            .open(&temporary)
+        {
+            // Of one that was killed, or of one elsewhere that has the same number.
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
+            opened => {
+                let file = opened?;
+                waiting.push(temporary.clone());
+                return Ok((file, temporary));
+            }
+        }
+    }
 }

@@ -1,170 +1,244 @@
-//! How far a run is, for a person who waits for it.
+//! How far a command is, for a person who waits for it.
 
+use crate::scene::Scene;
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt;
 use std::io::{self, IsTerminal};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// A run that is over by then needs no bar.
+/// A command that is over by then needs no bar.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 /// Time between two looks at the bar.
 const REFRESH: Duration = Duration::from_millis(100);
 
+/// Before that nobody knows how long the rest takes.
+const EARLY: Duration = Duration::from_secs(2);
+
 /// Columns that a bar with all its words takes.
 const ROOM: usize = 70;
 
 /// Resolution of the bar.
-const PARTS: f64 = 1000.0;
+const PARTS: u16 = 1000;
 
-/// A bar on standard error, if that is a terminal and the run takes its time.
-pub(in crate::commands) struct Progress {
-    duration: Option<f64>,
-    due: Instant,
-    bar: Option<ProgressBar>,
-    wanted: bool,
+/// A line on standard error that moves from [`PATIENCE`] on, however busy the program is.
+struct Line {
+    bar: ProgressBar,
+    /// Ends the thread that brings the line up, when it is dropped.
+    over: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
 }
 
-impl Progress {
-    /// Of a run of that duration, s, or of one that ends when it is over.
-    pub fn new(duration: Option<f64>) -> Self {
-        let wanted = io::stderr().is_terminal();
-        Self {
-            duration,
-            due: Instant::now() + PATIENCE,
-            bar: None,
-            wanted,
+impl Line {
+    /// Nothing where standard error is no terminal.
+    fn new(length: u64, style: ProgressStyle) -> Option<Self> {
+        if !io::stderr().is_terminal() {
+            return None;
         }
-    }
-
-    /// Shows that the run has come to `time`, s.
-    pub fn show(&mut self, time: f64) {
-        if !self.wanted || Instant::now() < self.due {
-            return;
-        }
-        self.due = Instant::now() + REFRESH;
-        let bar = self
-            .bar
-            .get_or_insert_with(|| new_bar(self.duration.is_some()));
-        bar.set_message(format!("t = {time:.3e} s"));
-        if let Some(duration) = self.duration {
-            // Between 0 and 1000, so that nothing is lost.
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-            bar.set_position((PARTS * time / duration) as u64);
-        }
-        bar.tick();
+        let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());
+        bar.set_style(style);
+        let (over, is_over) = channel();
+        let shown = bar.clone();
+        let bring_up = move || {
+            if is_over.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                shown.set_draw_target(ProgressDrawTarget::stderr());
+                shown.enable_steady_tick(REFRESH);
+            }
+        };
+        // Without a thread there is no line, and no harm.
+        let thread = thread::Builder::new().spawn(bring_up).ok();
+        Some(Self {
+            bar,
+            over: Some(over),
+            thread,
+        })
     }
 }
 
-impl Drop for Progress {
+impl Drop for Line {
     fn drop(&mut self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
+        drop(self.over.take());
+        if let Some(thread) = self.thread.take() {
+            // It cannot panic, and if it did there would be no line to clear.
+            let _ = thread.join();
         }
+        self.bar.finish_and_clear();
     }
-}
-
-fn new_bar(has_end: bool) -> ProgressBar {
-    // What is wide is cut off where the line ends, so that no line is ever wrapped.
-    let template = match (has_end, is_narrow()) {
-        (true, false) => "{bar:24} {percent:>3} % {left:>9}  {wide_msg}",
-        (true, true) => "{percent:>3} % {wide_msg}",
-        (false, _) => "{spinner} {wide_msg}",
-    };
-    let style = style(template, 0).tick_chars("|/-\\ ");
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    let parts = has_end.then_some(PARTS as u64);
-    ProgressBar::with_draw_target(parts, ProgressDrawTarget::stderr()).with_style(style)
 }
 
 fn is_narrow() -> bool {
     crossterm::terminal::size().is_ok_and(|(columns, _)| usize::from(columns) < ROOM)
 }
 
-/// A style in which `left` is the time left, once more than what was `done` before is.
-fn style(template: &str, done: u64) -> ProgressStyle {
+/// A style in which `left` is the time left, if the rest is as fast as what was done since
+/// `before`, which was done already.
+fn style(template: &str, before: u64) -> ProgressStyle {
     ProgressStyle::with_template(template)
         .unwrap_or_else(|_| ProgressStyle::default_bar())
         .with_key(
             "left",
             move |state: &ProgressState, text: &mut dyn fmt::Write| {
-                // Before the first part is done nobody knows.
-                if state.pos() > done {
-                    let _ = write!(text, "{:#} left", HumanDuration(state.eta()));
+                let done = state.pos().saturating_sub(before);
+                let rest = state.len().unwrap_or(0).saturating_sub(state.pos());
+                if done > 0 && state.elapsed() > EARLY {
+                    let left = state.elapsed().mul_f64(rest as f64 / done as f64);
+                    let _ = write!(text, "{:#} left", HumanDuration(left));
                 }
             },
         )
         .progress_chars("##-")
+        .tick_chars("|/-\\ ")
 }
 
-/// A bar on standard error for a study of many runs, if that is a terminal.
-pub(in crate::commands) struct Waiting(Option<ProgressBar>);
+/// The style of a command of which it is known, or not, which part is done. What is wide
+/// is cut off where the line ends, so that no line is ever wrapped.
+fn style_of(has_part: bool) -> ProgressStyle {
+    let template = match (has_part, is_narrow()) {
+        (true, false) => "{bar:24} {percent:>3} % {left:>9}  {wide_msg}",
+        (true, true) => "{percent:>3} % {wide_msg}",
+        (false, _) => "{spinner} {elapsed:>3}  {wide_msg}",
+    };
+    style(template, 0)
+}
+
+/// What a command is at, on standard error, if that is a terminal.
+pub(in crate::commands) struct Waiting {
+    line: Option<Line>,
+    what: String,
+    has_part: bool,
+    due: Instant,
+}
 
 impl Waiting {
     pub fn new() -> Self {
-        let wanted = io::stderr().is_terminal();
-        Self(wanted.then(|| new_bar(true)))
+        Self {
+            line: Line::new(PARTS.into(), style_of(false)),
+            ..Self::unseen()
+        }
     }
 
-    /// Shows what the study is at, and which part of it is done.
-    pub fn show(&mut self, what: &str, part: f64) {
-        if let Some(bar) = &self.0 {
+    /// For nobody.
+    pub fn unseen() -> Self {
+        Self {
+            line: None,
+            what: String::new(),
+            has_part: false,
+            due: Instant::now(),
+        }
+    }
+
+    /// Shows what the command is at, and a bar of the part of it that is done, if that is
+    /// known; otherwise how long it has been at work.
+    pub fn show(&mut self, what: &str, part: Option<f64>) {
+        let Some(Line { bar, .. }) = &self.line else {
+            return;
+        };
+        // Some tell it a thousand times between two looks, and measure times.
+        let now = Instant::now();
+        if what == self.what && now < self.due {
+            return;
+        }
+        self.due = now + REFRESH;
+        if self.has_part != part.is_some() {
+            self.has_part = part.is_some();
+            bar.set_style(style_of(self.has_part));
+        }
+        if what != self.what {
+            what.clone_into(&mut self.what);
             bar.set_message(what.to_owned());
+        }
+        if let Some(part) = part {
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "from 0 to 1000"
             )]
-            bar.set_position((PARTS * part.clamp(0.0, 1.0)) as u64);
-            bar.tick();
+            bar.set_position((f64::from(PARTS) * part.clamp(0.0, 1.0)) as u64);
         }
     }
 }
 
-impl Drop for Waiting {
-    fn drop(&mut self) {
-        if let Some(bar) = &self.0 {
-            bar.finish_and_clear();
-        }
-    }
+/// A bar on standard error that counts rows, if that is a terminal; rows are shown from
+/// any thread.
+pub(in crate::commands) struct RowsDone {
+    line: Option<Line>,
+    done: AtomicUsize,
+    all: usize,
 }
-
-/// A bar on standard error that counts rows, if that is a terminal; rows are counted
-/// from any thread.
-pub(in crate::commands) struct RowsDone(Option<ProgressBar>);
 
 impl RowsDone {
     /// So many of `all` are done already, and say nothing about the time left.
     pub fn new(done: usize, all: usize) -> Self {
-        let wanted = io::stderr().is_terminal() && done < all;
-        Self(wanted.then(|| {
-            let template = if is_narrow() {
-                "{pos}/{len} rows"
-            } else {
-                "{bar:30} {pos}/{len} rows  {left}"
-            };
-            let style = style(template, done as u64);
-            let target = ProgressDrawTarget::stderr();
-            let bar = ProgressBar::with_draw_target(Some(all as u64), target).with_style(style);
-            bar.set_position(done as u64);
-            bar.reset_eta();
-            bar.enable_steady_tick(PATIENCE);
-            bar
-        }))
+        let parts = |rows: usize| u64::from(PARTS) * rows as u64;
+        let template = if is_narrow() {
+            "{msg} rows  {elapsed}"
+        } else {
+            "{bar:30} {msg} rows  {elapsed}  {left}"
+        };
+        let wanted = (done < all).then(|| style(template, parts(done)));
+        let line = wanted.and_then(|style| Line::new(parts(all), style));
+        if let Some(Line { bar, .. }) = &line {
+            bar.set_position(parts(done));
+            bar.set_message(format!("{done}/{all}"));
+        }
+        Self {
+            line,
+            done: AtomicUsize::new(done),
+            all,
+        }
     }
 
-    /// One more is done.
-    pub fn one_more(&self) {
-        if let Some(bar) = &self.0 {
-            bar.inc(1);
+    /// One row, of a scene, that begins.
+    pub fn row(&self, scene: &Scene) -> RowOnItsWay<'_> {
+        RowOnItsWay {
+            rows: self,
+            // A floor collision ends when it is over.
+            duration: scene.duration.filter(|_| scene.gravity.is_some()),
+            shown: 0,
         }
     }
 }
 
-impl Drop for RowsDone {
-    fn drop(&mut self) {
-        if let Some(bar) = &self.0 {
-            bar.finish_and_clear();
+/// A row that is measured.
+pub(in crate::commands) struct RowOnItsWay<'a> {
+    rows: &'a RowsDone,
+    /// Of its run, s, where that is known before.
+    duration: Option<f64>,
+    /// Parts of it that the bar has.
+    shown: u16,
+}
+
+impl RowOnItsWay<'_> {
+    /// Its run has come to `time`, s.
+    pub fn show(&mut self, time: f64) {
+        if let Some(duration) = self.duration {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "from 0 to 1000"
+            )]
+            self.come_to((f64::from(PARTS) * (time / duration).clamp(0.0, 1.0)) as u16);
+        }
+    }
+
+    /// It is measured.
+    pub fn done(mut self) {
+        self.come_to(PARTS);
+        let done = self.rows.done.fetch_add(1, Ordering::Relaxed) + 1;
+        if let Some(Line { bar, .. }) = &self.rows.line {
+            bar.set_message(format!("{done}/{}", self.rows.all));
+        }
+    }
+
+    fn come_to(&mut self, parts: u16) {
+        if let Some(Line { bar, .. }) = &self.rows.line
+            && parts > self.shown
+        {
+            bar.inc(u64::from(parts - self.shown));
+            self.shown = parts;
         }
     }
 }

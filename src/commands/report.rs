@@ -127,7 +127,7 @@ fn write_files(folder: &Path, report: &[Part]) -> Result<(), Failure> {
         output.judge(result)?;
         written.push(output);
     }
-    written.into_iter().try_for_each(Output::finish)
+    Output::finish_all(written)
 }
 
 /// Columns of the terminal, or of a page.

@@ -2,16 +2,18 @@
 
 mod report;
 mod rows;
+mod runs;
 mod series;
 
 use super::output::Output;
-use super::progress::Progress;
+use super::progress::Waiting;
 use super::{Failure, load, note};
 use crate::cli::{Format, RunArgs};
 use crate::physics::spectrum;
 use crate::scene::Scene;
 use crate::study::Drive;
-use std::io::Write;
+use runs::Runs;
+use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 
 /// Runs `beadlab run`.
@@ -29,18 +31,26 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         series::check(&preset.scene, every)?;
     }
     let mut output = Output::open(args.out.as_deref())?;
-    let mut progress = Progress::new(preset.scene.duration);
-    let mut watch = |time| {
-        progress.show(time);
-        ControlFlow::Continue(())
+    // Rows on the same terminal show by themselves how far it is.
+    let shows_itself = args.every.is_some() && args.out.is_none() && io::stdout().is_terminal();
+    let waiting = if shows_itself {
+        Waiting::unseen()
+    } else {
+        Waiting::new()
     };
+    let mut runs = Runs::new(&preset.scene, args.sensitivity, waiting);
     if let Some(every) = args.every {
+        let mut watch = |time| {
+            runs.show(time);
+            ControlFlow::Continue(())
+        };
         let drive = Drive::new(&preset.scene, &mut watch);
         series::print(&preset.scene, drive, every, output)?;
         warn_of_steps(&preset.scene);
         return Ok(());
     }
-    let report = rows::measure(&preset, args.sensitivity, &mut watch)?;
+    let report = rows::measure(&preset, args.sensitivity, &mut runs)?;
+    drop(runs);
     warn_of_steps(&preset.scene);
     let written = output.write_all(report.written(args.format).as_bytes());
     if written.is_err() {

@@ -13,7 +13,7 @@ use crate::study::speed::speed;
 pub fn run(args: &ReportArgs) -> Result<(), Failure> {
     let destination = Destination::open(args)?;
     let mut waiting = Waiting::new();
-    let report = speed(args.quick, &mut |what: &str, part: f64| {
+    let report = speed(args.quick, &mut |what: &str, part| {
         waiting.show(what, part);
     });
     drop(waiting);

@@ -27,7 +27,7 @@ pub fn run(args: &StabilityArgs) -> Result<(), Failure> {
     )]
     let slices = (args.budget.unwrap_or(common) / SLICE).ceil() as u64;
     let mut waiting = Waiting::new();
-    let mut tell = |what: &str, part: f64| waiting.show(what, part);
+    let mut tell = |what: &str, part| waiting.show(what, part);
     let mut tables = Vec::new();
     if !args.steps {
         tables.push(grid(quick, slices, &mut tell));

@@ -1,10 +1,11 @@
 //! `beadlab sweep`: a scene at every point of a product of ranges, into a CSV file.
 
 mod file;
-mod interrupt;
+mod resume;
 mod rows;
 
 use super::progress::RowsDone;
+use super::signals::Interrupt;
 use super::{Failure, bad_input, layer};
 use crate::cli::SweepArgs;
 use crate::scene::Preset;
@@ -31,7 +32,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     };
     let (mut file, before) = RowsFile::open(&args.out, mode, &format, &sweep)?;
     let mut failed = before.failed;
-    let interrupt = interrupt::Interrupt::watch();
+    let interrupt = Interrupt::watch();
     let progress = RowsDone::new(before.rows, sweep.rows());
     let mut broken = None;
     let handed = sweep::run(
@@ -40,9 +41,10 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
         interrupt.flag(),
         |row| {
             let scene = sweep.scene(row);
-            let measured = Row::of(&scene, measure_unless(&scene, interrupt.flag())?);
-            progress.one_more();
-            Some(measured)
+            let mut row = progress.row(&scene);
+            let outcome = measure_unless(&scene, interrupt.flag(), &mut |time| row.show(time))?;
+            row.done();
+            Some(Row::of(&scene, outcome))
         },
         |row, measured| match file.push(&Format::line(&sweep.values(row), &measured)) {
             Ok(()) => {

@@ -1,15 +1,52 @@
 //! Words for error messages: what was typed, on one line, and what was meant.
 
+use std::ops::RangeInclusive;
+
 /// How much of a bad value is worth repeating in a message.
 const LONGEST_QUOTE: usize = 60;
 
-/// `text` on one line and free of control characters, however long.
+/// Characters that show nothing and that the standard library takes for printable: joiners,
+/// fillers, selectors and tags.
+const BLANK: [RangeInclusive<char>; 8] = [
+    '\u{34f}'..='\u{34f}',
+    '\u{115f}'..='\u{1160}',
+    '\u{17b4}'..='\u{17b5}',
+    '\u{180b}'..='\u{180f}',
+    '\u{3164}'..='\u{3164}',
+    '\u{fe00}'..='\u{fe0f}',
+    '\u{ffa0}'..='\u{ffa0}',
+    '\u{e0000}'..='\u{e0fff}',
+];
+
+/// `text` on one line, however long, as it may go to a terminal: what is no space and
+/// cannot be seen, or moves what can, like `\u{1b}` or `\u{202e}`, is spelled out so.
 pub(crate) fn one_line(text: &str) -> String {
-    let printable: String = text
-        .chars()
-        .map(|c| if c.is_control() { ' ' } else { c })
-        .collect();
-    printable.split_whitespace().collect::<Vec<_>>().join(" ")
+    let mut line = String::new();
+    for word in text.split_whitespace() {
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        for c in word.chars() {
+            if is_hidden(c) {
+                line.extend(c.escape_unicode());
+            } else {
+                line.push(c);
+            }
+        }
+    }
+    line
+}
+
+/// Whether a character is none to be seen; a mark on the letter before it is one.
+pub(crate) fn is_hidden(c: char) -> bool {
+    if c.is_ascii() {
+        return c.is_control();
+    }
+    let spelled_out = || {
+        let after_a_letter = format!("a{c}");
+        after_a_letter.escape_debug().nth(1) == Some('\\')
+    };
+    BLANK.iter().any(|blank| blank.contains(&c)) || spelled_out()
 }
 
 /// `text` on one line, shortened when it is long.
@@ -88,7 +125,23 @@ mod tests {
 
     #[test]
     fn a_quote_is_one_short_line() {
-        assert_eq!(quote("a\n\tb\u{1b}[31m"), "a b [31m");
+        assert_eq!(quote("a\n\tb\u{1b}[31m"), "a b\\u{1b}[31m");
         assert_eq!(quote(&"x".repeat(100)).chars().count(), LONGEST_QUOTE + 3);
+    }
+    #[test]
+    fn what_cannot_be_seen_is_spelled_out_and_letters_stay() {
+        // Overrides and isolates of direction, zero widths, a BOM, tags, C1 controls, fillers.
+        for hidden in
+            "\u{202a}\u{202e}\u{2066}\u{2069}\u{200b}\u{200d}\u{200e}\u{61c}\u{feff}\u{ad}\
+             \u{2060}\u{e0041}\u{9b}\u{7f}\u{0}\u{3164}\u{fe0f}\u{34f}\u{fff9}\u{e000}"
+                .chars()
+        {
+            let spelled = format!("a\\u{{{:x}}}b", u32::from(hidden));
+            assert_eq!(one_line(&format!("a{hidden}b")), spelled);
+            assert_eq!(one_line(&spelled), spelled);
+        }
+        let seen = "Kügelchen ku\u{308}gel σ₀ ≪ 1 玉 กำ नमस्ते עברית \\ ' \" –";
+        assert_eq!(one_line(seen), seen);
+        assert_eq!(one_line("a\u{2028}b\u{85}c\u{a0} d"), "a b c d");
     }
 }

@@ -103,8 +103,14 @@ pub enum AdviseError {
     #[error("the limit cannot be measured: {0}")]
     Limit(RunError),
     /// The limit takes longer than there is time.
-    #[error("the limit alone takes more than its share of the time; --budget gives more")]
-    LimitTooSlow,
+    #[error(
+        "the limit alone takes more than its share of the time, {share} s, a quarter of --budget \
+         (hard spheres near inelastic collapse may take minutes)"
+    )]
+    LimitTooSlow {
+        /// What it had, s.
+        share: f64,
+    },
     /// No run with soft contacts gave anything.
     #[error("no contact time gives a result: {0}")]
     Nothing(String),
@@ -149,6 +155,7 @@ pub fn common_tolerance(scene: &Scene) -> f64 {
 pub fn advise(preset: &Preset, question: Question, tell: &mut Tell) -> Result<Advice, AdviseError> {
     let family = family::Family::of(preset)?;
     let search = search::Search::run(&family, question, tell)?;
+    tell("the verdict", None);
     let judged =
         verdict(&preset.scene, &mut |_| ControlFlow::Continue(())).map_err(AdviseError::Limit)?;
     let cost = search

@@ -219,6 +219,7 @@ impl Figure {
     /// # Errors
     /// When a run fails.
     pub fn make(&self, pains: Pains, tell: &mut Tell) -> Result<Sheet, FigureError> {
-        (self.make)(&mut Bench::new(self.name, pains, tell))
+        tell(self.title, None);
+        (self.make)(&mut Bench::new(self.title, pains, tell))
     }
 }

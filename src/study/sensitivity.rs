@@ -97,6 +97,22 @@ pub fn sensitivity(
     Ok(found)
 }
 
+/// Work of the runs of [`sensitivity`] in their order, in runs of the scene; as far as
+/// can be told before: where other steps are not stable there are others.
+pub fn work_of_sensitivity(scene: &Scene, patterns: usize) -> Vec<f64> {
+    if patterns == 0 {
+        return Vec::new();
+    }
+    let mut work = match of_method(scene) {
+        Some(("tolerance", _)) => vec![1.0; TIGHTER.len()],
+        Some(_) => [&COARSER[..], &FINER].concat(),
+        None => Vec::new(),
+    };
+    let of_restitution = usize::from(restitution_off(scene).is_some());
+    work.extend(vec![1.0; patterns + of_restitution]);
+    work
+}
+
 /// The scene with an ε that is smaller by its last bit. A decimal number that somebody
 /// typed is half of that from what it means.
 fn restitution_off(scene: &Scene) -> Option<Scene> {

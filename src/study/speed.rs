@@ -56,7 +56,7 @@ pub fn speed(quick: bool, tell: &mut Tell) -> Report {
     for turn in 0..turns {
         let done = turn * cases.len();
         for (k, case) in cases.iter_mut().enumerate() {
-            tell(case.method.as_str(), (done + k) as f64 / all);
+            tell(case.method.as_str(), Some((done + k) as f64 / all));
             case.rates.push(rate(&case.scene));
         }
     }

@@ -23,10 +23,15 @@ pub const RIGHT: f64 = 1e-2;
 pub fn grid(quick: bool, slices: u64, tell: &mut Tell) -> Table {
     let all = cases(quick);
     let mut judged: Vec<(Case, Vec<Judgement>)> = Vec::new();
-    let count = all.len() as f64;
+    let count = all.len();
     for (k, case) in all.into_iter().enumerate() {
-        tell(case.name, k as f64 / count);
-        let judgements = judge(&case, slices);
+        let judgements = judge(&case, slices, &mut |what| {
+            // Some cases take a thousand times as long as others.
+            tell(
+                &format!("case {} of {count}, {}: {what}", k + 1, case.name),
+                None,
+            );
+        });
         judged.push((case, judgements));
     }
     table(&judged, slices)

@@ -155,12 +155,14 @@ impl Sweep {
 }
 
 /// Measures a scene, with the digits that its results have and what tells them, unless it
-/// is stopped on the way.
+/// is stopped on the way. `tell` hears the simulated time of its runs, s.
 pub fn measure_unless(
     scene: &Scene,
     stop: &AtomicBool,
+    tell: &mut dyn FnMut(f64),
 ) -> Option<Result<(Results, Sensitivity), RunError>> {
-    let mut watch = |_| {
+    let mut watch = |time| {
+        tell(time);
         if stop.load(Ordering::Relaxed) {
             ControlFlow::Break(())
         } else {

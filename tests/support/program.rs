@@ -72,3 +72,22 @@ pub fn table(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
             .collect(),
     )
 }
+
+/// Where a file of this test would be; there is none.
+pub fn no_file(name: &str) -> String {
+    let path = file(name, "");
+    fs::remove_file(&path).expect("it was written a moment ago");
+    path
+}
+
+/// A file as text.
+pub fn file_text(path: &str) -> String {
+    fs::read_to_string(path).expect("a file of text")
+}
+
+/// A sweep that must succeed, into a file.
+pub fn sweep(arguments: &[&str], out: &str) {
+    let all = [&["sweep"], arguments, &["--out", out]].concat();
+    let printed = printed(&all);
+    assert!(printed.is_empty(), "{all:?}: {printed}");
+}

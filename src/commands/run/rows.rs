@@ -1,11 +1,12 @@
 //! What a run prints, row by row.
 
 use super::report::{Cell, Report, Row};
+use super::runs::Runs;
 use crate::commands::{Failure, note};
 use crate::physics;
 use crate::scene::{Arrangement, Law, MethodName, Preset, Scene, Start};
 use crate::study::verdict::{Verdict, verdict};
-use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, Watch, is_cheap};
+use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, is_cheap};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -13,19 +14,22 @@ use std::time::Instant;
 pub(super) fn measure(
     preset: &Preset,
     sensitivity: bool,
-    watch: &mut Watch,
+    runs: &mut Runs,
 ) -> Result<Report, Failure> {
     let scene = &preset.scene;
     let started = Instant::now();
-    let mut look = |time| watch(time);
+    let mut look = |time| {
+        runs.show(time);
+        ControlFlow::Continue(())
+    };
     let results = study::measure(scene, &mut Drive::new(scene, &mut look))?;
     let wall_time = started.elapsed().as_secs_f64().max(1e-9);
     let patterns = patterns(scene, &results, sensitivity);
-    let sensitivity = study::sensitivity(scene, &results, patterns, watch)?;
+    let sensitivity = study::sensitivity(scene, &results, patterns, &mut look)?;
     for remark in results.remarks() {
         note(&remark);
     }
-    // Its runs are others, of other lengths: they are no part of the progress.
+    runs.show_verdict();
     let judged = verdict(scene, &mut |_| ControlFlow::Continue(()))?;
     let mut rows = rows(preset, &results, &sensitivity, wall_time);
     rows.extend(of_the_verdict(judged));

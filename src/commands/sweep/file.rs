@@ -1,12 +1,14 @@
 //! A file that grows by whole rows, and can be gone on with after any end.
 
+use super::resume::{self, Before};
 use super::rows::Format;
 use crate::commands::Failure;
+use crate::commands::output::unwritable;
 use crate::scene::words::one_line;
 use crate::study::sweep::Sweep;
 use std::fs::{File, TryLockError};
-use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
-use std::path::Path;
+use std::io::{self, BufReader, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// Rows are forced to the disk this often; a kill loses none, but a power cut may.
@@ -23,19 +25,10 @@ pub(super) enum Mode {
     Overwrite,
 }
 
-/// What a file held before.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Before {
-    /// Whole rows.
-    pub rows: usize,
-    /// Those of them without results.
-    pub failed: usize,
-}
-
 /// The file, open behind its last whole row.
 pub(super) struct RowsFile {
     file: File,
-    name: String,
+    path: PathBuf,
     /// Length up to the last whole row; a device has none.
     length: Option<u64>,
     synced: Instant,
@@ -51,7 +44,6 @@ impl RowsFile {
     ) -> Result<(Self, Before), Failure> {
         let name = one_line(&path.to_string_lossy());
         let refuse = |what: &str| Err(Failure::BadInput(format!("--out {name}: {what}")));
-        let unwritable = |error: io::Error| Failure::BadInput(unwritable(&name, &error));
         let found = path.metadata().ok();
         let regular = found.as_ref().is_none_or(std::fs::Metadata::is_file);
         if mode == Mode::New && found.is_some_and(|found| found.is_file()) {
@@ -64,28 +56,25 @@ impl RowsFile {
             Mode::New => options.create_new(true).open(path),
             Mode::Resume | Mode::Overwrite => options.create(true).truncate(false).open(path),
         };
-        let mut file = opened.map_err(unwritable)?;
+        let file = opened.map_err(|error| Failure::BadInput(unwritable(path, &error)))?;
         if regular && matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
             return refuse("another sweep is writing it");
         }
         let mut before = Before::default();
-        let mut length = 0;
         if regular && mode == Mode::Resume {
-            let mut text = Vec::new();
-            file.read_to_end(&mut text).map_err(unwritable)?;
-            match whole_rows(&text, format, sweep) {
-                Ok((rows, end)) => (before, length) = (rows, end),
+            match resume::read(BufReader::new(&file), format, sweep) {
+                Ok(found) => before = found,
                 Err(what) => return refuse(&what),
             }
         }
         let mut file = Self {
             file,
-            name,
-            length: regular.then_some(length as u64),
+            path: path.to_owned(),
+            length: regular.then_some(before.end),
             synced: Instant::now(),
         };
         file.cut().map_err(|error| file.unwritable(&error))?;
-        if length == 0 {
+        if before.end == 0 {
             file.push(format.header())?;
         }
         Ok((file, before))
@@ -131,66 +120,6 @@ impl RowsFile {
     }
 
     fn unwritable(&self, error: &io::Error) -> Failure {
-        Failure::Failed(unwritable(&self.name, error))
+        Failure::Failed(unwritable(&self.path, error))
     }
-}
-
-fn unwritable(name: &str, error: &io::Error) -> String {
-    let reason = match error.kind() {
-        ErrorKind::NotFound => "there is no such folder".to_owned(),
-        _ => one_line(&error.to_string()),
-    };
-    format!("--out {name}: cannot be written: {reason}")
-}
-
-/// The rows of a file that this sweep began, and where the last whole one ends; or
-/// what is wrong with the file.
-fn whole_rows(text: &[u8], format: &Format, sweep: &Sweep) -> Result<(Before, usize), String> {
-    let header = format.header().as_bytes();
-    // The end may have come before the header was whole.
-    if header.starts_with(text) && text.len() < header.len() {
-        return Ok((Before::default(), 0));
-    }
-    let Some(rows) = text.strip_prefix(header) else {
-        return Err(difference(text, format.header()));
-    };
-    let mut before = Before::default();
-    let mut end = header.len();
-    for line in rows.split_inclusive(|&byte| byte == b'\n') {
-        let Some(whole) = line.strip_suffix(b"\n") else {
-            // Half a line, the last one.
-            break;
-        };
-        let row = before.rows;
-        let known = (row < sweep.rows())
-            .then(|| std::str::from_utf8(whole).ok())
-            .flatten()
-            .and_then(|line| Format::recognise(line, &sweep.values(row)));
-        let Some(has_results) = known else {
-            let line = format.header().lines().count() + row + 1;
-            return Err(format!("line {line} is not row {} of this sweep", row + 1));
-        };
-        before.rows += 1;
-        before.failed += usize::from(!has_results);
-        end += line.len();
-    }
-    Ok((before, end))
-}
-
-/// The first line in which a file's header is not the one that it should be.
-fn difference(text: &[u8], header: &str) -> String {
-    let text = String::from_utf8_lossy(text);
-    let mut found = text.lines();
-    for (number, wanted) in header.lines().enumerate() {
-        let line = found.next().unwrap_or("");
-        if line != wanted {
-            return format!(
-                "is of another sweep: line {} is `{}`, but here it would be `{}`",
-                number + 1,
-                one_line(line),
-                one_line(wanted)
-            );
-        }
-    }
-    "is of another sweep".to_owned()
 }

@@ -3,7 +3,7 @@
 use crate::cli::SweepArgs;
 use crate::scene::Scene;
 use crate::scene::parameters::{self, Value};
-use crate::scene::words::one_line;
+use crate::scene::words::{one_line, quote};
 use crate::study::sweep::Sweep;
 use crate::study::{Results, RunError, Sensitivity, rounded};
 use std::fmt::Write;
@@ -107,12 +107,13 @@ fn number(x: f64) -> String {
 /// How the lines of one sweep look.
 pub(super) struct Format {
     header: String,
+    columns: Vec<&'static str>,
 }
 
 impl Format {
     /// Of a sweep of those arguments. The header is the same exactly when the rows are.
     pub fn of(sweep: &Sweep, args: &SweepArgs) -> Self {
-        let names: Vec<&str> = sweep
+        let names: Vec<&'static str> = sweep
             .axes()
             .iter()
             .map(|axis| axis.parameter.name)
@@ -159,7 +160,7 @@ impl Format {
             let _ = writeln!(header, "# {line}");
         }
         let measured = MEASURED.iter().map(|(name, _)| *name);
-        let columns: Vec<&str> = names
+        let columns: Vec<&'static str> = names
             .iter()
             .copied()
             .chain(measured)
@@ -167,7 +168,7 @@ impl Format {
             .collect();
         header.push_str(&columns.join(","));
         header.push('\n');
-        Self { header }
+        Self { header, columns }
     }
 
     /// The lines before the first row.
@@ -188,13 +189,59 @@ impl Format {
         line
     }
 
-    /// Whether a line, without its end, is the row of these values; and if so, whether
-    /// that has results.
-    pub fn recognise(line: &str, values: &[Value]) -> Option<bool> {
-        let rest = line.strip_prefix(&start(values))?;
-        let cells: Vec<&str> = rest.splitn(MEASURED.len() + 1, ',').collect();
-        let whole = cells.len() == MEASURED.len() + 1;
-        whole.then(|| !cells[MEASURED.len() - 1].is_empty())
+    /// Whether the row of these values has results, of its line without the end.
+    ///
+    /// # Errors
+    /// The first cell that cannot be one of it: where, what it is, and what it must be.
+    pub fn check(&self, line: &[u8], values: &[Value]) -> Result<bool, String> {
+        let mut cells = csv::ByteRecord::new();
+        csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .terminator(csv::Terminator::Any(b'\n'))
+            .from_reader(line)
+            .read_byte_record(&mut cells)
+            .map_err(|error| format!(": {error}"))?;
+        let (found, all) = (cells.len(), self.columns.len());
+        if found != all {
+            return Err(format!(": {found} cells, must be {all}"));
+        }
+        let text = |k: usize| std::str::from_utf8(&cells[k]).unwrap_or("\u{fffd}");
+        let (first, note) = (values.len(), all - 1);
+        let has_results = !cells[note - 1].is_empty();
+        for (k, name) in self.columns.iter().enumerate() {
+            let text = text(k);
+            let (is_right, must) = if let Some(value) = values.get(k) {
+                let value = value.to_string();
+                (text == value, value)
+            } else if k == note {
+                let has_reason = has_results || !text.is_empty();
+                let is_text = one_line(text) == text && !text.contains('\u{fffd}');
+                (has_reason && is_text, "the row's note".to_owned())
+            } else if !has_results {
+                let none = "empty, since the row has no results";
+                (text.is_empty(), none.to_owned())
+            } else if COUNTS.contains(&(k - first)) {
+                let is_count = text.is_empty() || text.parse::<u64>().is_ok();
+                (is_count, "a whole number".to_owned())
+            } else {
+                let is_number = text.parse().is_ok_and(f64::is_finite);
+                (text.is_empty() || is_number, "a number".to_owned())
+            };
+            if !is_right {
+                let (column, text) = (k + 1, quote(text));
+                return Err(format!(
+                    ", column {column} ({name}): `{text}` must be {must}"
+                ));
+            }
+        }
+        Ok(has_results)
+    }
+
+    /// Whether a line that has no end may be that of these values.
+    pub fn is_begun(line: &[u8], values: &[Value]) -> bool {
+        let start = start(values);
+        start.as_bytes().starts_with(line) || line.starts_with(start.as_bytes())
     }
 }
 

@@ -16,6 +16,11 @@ const SAMPLES: f64 = 200.0;
 /// Runs over which a median is taken, where there is time.
 const MOST_RUNS: usize = 15;
 
+/// Parts of the work, where the time does not end it: the first run of every method, and
+/// its other phases with the estimate of `run`, two dozen runs, beside [`MOST_RUNS`].
+const FIRST_PART: f64 = 0.02;
+const PHASES_PART: f64 = 0.6;
+
 /// Rounding in a number whose true value is of the order 1.
 const ROUNDING: f64 = f64::EPSILON;
 
@@ -75,6 +80,11 @@ pub(super) fn report(
     tell: &mut Tell,
 ) -> Result<Report, AccuracyError> {
     let started = Instant::now();
+    // The work comes to its end, or the time does.
+    let mut tell = |what: &str, part: f64| {
+        let spent = started.elapsed().as_secs_f64() / effort.time.as_secs_f64();
+        tell(what, Some(part.max(spent)));
+    };
     tell("the exact run", 0.0);
     let share = effort.time / 4;
     let mut in_share = in_time(started + share);
@@ -106,9 +116,11 @@ pub(super) fn report(
     let all = candidates(scene, effort.quick);
     let count = all.len() as f64;
     let mut rows: Vec<Row> = Vec::new();
+    let mut costs: Vec<f64> = Vec::new();
     for candidate in all {
         let label = format!("{} {}", candidate.method.as_str(), candidate.setting());
-        tell(&label, 0.5 * rows.len() as f64 / count);
+        tell(&label, FIRST_PART * rows.len() as f64 / count);
+        let begun = Instant::now();
         let mut watch = in_time(started + effort.time);
         let drive = Drive::new(&candidate.scene, &mut watch);
         let outcome = run(drive, &candidate.scene, &times, 0.0).map(|run| {
@@ -119,16 +131,20 @@ pub(super) fn report(
             };
             (run, Spread::of_one(errors))
         });
+        costs.push(begun.elapsed().as_secs_f64());
         rows.push(Row {
             candidate,
             outcome,
             times: Vec::new(),
         });
     }
+    let all_costs: f64 = costs.iter().sum();
     // The other phases have half of what is left, in equal shares.
     for k in 0..rows.len() {
         let left = effort.time.saturating_sub(started.elapsed());
         let share = left / u32::try_from(2 * (rows.len() - k)).unwrap_or(u32::MAX);
+        let done = costs[..k].iter().sum::<f64>() / all_costs;
+        tell("other phases of the grids", FIRST_PART + PHASES_PART * done);
         let mut watch = in_time(Instant::now() + share);
         let Row {
             candidate, outcome, ..
@@ -145,7 +161,7 @@ pub(super) fn report(
             *outcome = Err(error);
         }
     }
-    measure_times(&mut rows, started, effort.time, tell);
+    measure_times(&mut rows, started, effort.time, &mut tell);
     Ok(tables::report(&rows, &truth, sensitivity))
 }
 
@@ -217,7 +233,12 @@ fn errors(run: &Run, truth: &Run, unit_of_length: f64) -> Errors {
 
 /// Runs all candidates in turn, again and again, so that what else the machine does
 /// falls on all of them alike.
-fn measure_times(rows: &mut [Row], started: Instant, most: Duration, tell: &mut Tell) {
+fn measure_times(
+    rows: &mut [Row],
+    started: Instant,
+    most: Duration,
+    tell: &mut dyn FnMut(&str, f64),
+) {
     let share = most.as_secs_f64() / rows.len().max(1) as f64;
     for round in 0..MOST_RUNS {
         for row in rows.iter_mut() {
@@ -237,9 +258,8 @@ fn measure_times(rows: &mut [Row], started: Instant, most: Duration, tell: &mut 
                 row.times.push(begun.elapsed().as_secs_f64());
             }
         }
-        tell(
-            "run times",
-            0.5 + 0.5 * (round + 1) as f64 / MOST_RUNS as f64,
-        );
+        let before = FIRST_PART + PHASES_PART;
+        let done = (round + 1) as f64 / MOST_RUNS as f64;
+        tell("run times", before + (1.0 - before) * done);
     }
 }

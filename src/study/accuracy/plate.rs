@@ -111,13 +111,17 @@ pub(super) fn report(
         rest / u32::try_from(left).unwrap_or(u32::MAX)
     };
     let first = share(all.len() + 2);
-    tell("the exact run", 0.0);
-    let truth = match run(Start::Exactly, reference, looks, first) {
+    // The runs take about the same shares of the time, those that follow a short one more.
+    let count = (all.len() + 2) as f64;
+    let mut tell = |k: usize, what: &str, part: f64| tell(what, Some((k as f64 + part) / count));
+    let mut once = |part| tell(0, "the exact run", part);
+    let truth = match run(Start::Exactly, reference, looks, first, &mut once) {
         Ok(run) => run,
         // As far as the time allows, in whole periods; all others go as far.
         Err((RunError::Stopped { time }, _)) if time > LEAST_PERIODS * looks.period => {
             looks.duration = (time / looks.period).floor() * looks.period;
-            run(Start::Exactly, reference, looks, 4 * first).map_err(|e| e.0)?
+            let mut again = |part| tell(1, "the exact run, once more", part);
+            run(Start::Exactly, reference, looks, 4 * first, &mut again).map_err(|e| e.0)?
         }
         Err((RunError::Stopped { time }, seconds)) => {
             return Err(AccuracyError::TooSlow {
@@ -128,8 +132,8 @@ pub(super) fn report(
         Err((error, _)) => return Err(error.into()),
     };
     let mut rows = Vec::new();
-    tell("the exact run, one bit off", 0.0);
-    let near = run(Start::OneUlpOff, reference, looks, 4 * first);
+    let mut off = |part| tell(1, "the exact run, one bit off", part);
+    let near = run(Start::OneUlpOff, reference, looks, 4 * first, &mut off);
     rows.push(row(
         "exact",
         "last bit".to_owned(),
@@ -140,15 +144,13 @@ pub(super) fn report(
     ));
     for (k, candidate) in all.iter().enumerate() {
         let name = candidate.method.as_str();
-        tell(
-            &format!("{name} {}", candidate.setting()),
-            (k + 2) as f64 / (all.len() + 2) as f64,
-        );
+        let label = format!("{name} {}", candidate.setting());
         let outcome = run(
             Start::Exactly,
             &candidate.scene,
             looks,
             share(all.len() - k),
+            &mut |part| tell(k + 2, &label, part),
         );
         rows.push(row(
             name,
@@ -169,9 +171,21 @@ enum Start {
     OneUlpOff,
 }
 
-fn run(from: Start, scene: &Scene, looks: Looks, most: Duration) -> Result<Run, (RunError, f64)> {
+/// A run of `most` of the time; `tell` hears which part of the run is done, or of the time.
+fn run(
+    from: Start,
+    scene: &Scene,
+    looks: Looks,
+    most: Duration,
+    tell: &mut dyn FnMut(f64),
+) -> Result<Run, (RunError, f64)> {
     let started = Instant::now();
-    let mut watch = in_time(started + most);
+    let mut within = in_time(started + most);
+    let mut watch = |time: f64| {
+        let spent = started.elapsed().as_secs_f64() / most.as_secs_f64();
+        tell((time / looks.duration).max(spent).min(1.0));
+        within(time)
+    };
     let mut drive = match from {
         Start::Exactly => Drive::new(scene, &mut watch),
         Start::OneUlpOff => Drive::of(one_ulp_off(scene, 0), scene, &mut watch),

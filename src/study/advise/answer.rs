@@ -22,7 +22,7 @@ pub(super) fn advice(
     let mut answer = tables::answer(search, family);
     answer.title = title(search, preset);
     answer.notes = notes(search, family);
-    answer.notes.insert(0, on_the_scene(judged));
+    answer.notes.insert(0, on_the_scene(judged, search.kind));
     let mut curve = tables::curve(search);
     curve.notes = vec![format!(
         "off: difference from the limit over the limit; errors: {}; verdict against a tolerance \
@@ -56,8 +56,13 @@ pub(super) fn advice(
 }
 
 /// The verdict on the scene as it is, against hard spheres.
-fn on_the_scene(judged: &verdict::Verdict) -> String {
-    format!("The scene as it is: {}: {}.", word(judged), judged.because)
+fn on_the_scene(judged: &verdict::Verdict, kind: Kind) -> String {
+    let of_what = match kind {
+        Kind::Falling => " That is a judgement of how the column comes to rest, not of h_cm.",
+        Kind::Launched | Kind::Shaken => "",
+    };
+    let word = word(judged);
+    format!("The scene as it is: {word}: {}.{of_what}", judged.because)
 }
 
 fn word(judged: &verdict::Verdict) -> &'static str {

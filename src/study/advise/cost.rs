@@ -63,14 +63,15 @@ pub(super) fn costs(
         .collect();
     let turn = if question.quick { QUICK_TURN } else { TURN };
     let mut turns: Vec<Vec<Result<Turn, RunError>>> = scenes.iter().map(|_| Vec::new()).collect();
-    let all = (TURNS * scenes.len()) as f64;
+    let all = TURNS * scenes.len();
     let started = Instant::now();
     for k in 0..TURNS {
         if started.elapsed() > ENOUGH * turn {
             break;
         }
         for (j, (scene, turns)) in scenes.iter().zip(&mut turns).enumerate() {
-            tell("the cost", (k * scenes.len() + j) as f64 / all);
+            let at = k * scenes.len() + j + 1;
+            tell(&format!("the cost, run {at} of {all} at most"), None);
             // What failed or was too slow once is so again.
             if turns.last().is_none_or(Result::is_ok) {
                 turns.push(match kind {

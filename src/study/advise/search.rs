@@ -93,16 +93,25 @@ impl<'a> Search<'a> {
     }
 
     fn look_at_limit(&mut self, tell: &mut Tell) -> Result<(), AdviseError> {
-        tell("the limit", 0.0);
+        tell(&self.told("the limit"), None);
         let end = self.end_of_one();
         let periods = LIMIT_LONGER * self.first_periods();
         self.limit.look(self.kind, periods, end);
         match &self.limit.outcome {
             Outcome::Failed(error) => Err(AdviseError::Limit(error.clone())),
-            Outcome::TooSlow | Outcome::Unseen => Err(AdviseError::LimitTooSlow),
+            Outcome::TooSlow | Outcome::Unseen => {
+                let share = (self.question.time / SHARE).as_secs_f64();
+                Err(AdviseError::LimitTooSlow { share })
+            }
             Outcome::Nothing(why) => Err(AdviseError::NoLimit((*why).to_owned())),
             Outcome::Seen(_) => Ok(()),
         }
+    }
+
+    /// What the search is at, and its end at the latest: when it is sure nobody knows.
+    fn told(&self, what: &str) -> String {
+        let time = self.question.time.as_secs_f64();
+        format!("{what} (the search takes {time} s at most)")
     }
 
     fn end(&self) -> Instant {
@@ -207,6 +216,7 @@ impl<'a> Search<'a> {
 
     /// Follows some for twice as many periods, and the limit if that is as vague.
     fn extend(&mut self, which: &[usize], tell: &mut Tell) -> bool {
+        let what = self.told("longer runs");
         let longer = |probe: &Probe| (2 * probe.periods()).min(MOST_PERIODS);
         let vague = which
             .iter()
@@ -226,10 +236,8 @@ impl<'a> Search<'a> {
             let periods = longer(&self.limit);
             tasks.push((&mut self.limit, periods));
         }
-        let (started, time) = (self.started, self.question.time);
-        look(self.kind, tasks, self.question.threads, ends, &mut |_| {
-            tell("longer runs", part(started, time));
-        });
+        tell(&what, None);
+        look(self.kind, tasks, self.question.threads, ends, &mut |_| {});
         true
     }
 
@@ -240,13 +248,14 @@ impl<'a> Search<'a> {
         if new.is_empty() {
             return false;
         }
-        let all = new.len() as f64;
+        let all = new.len();
         let tasks = new.iter_mut().map(|probe| (probe, periods)).collect();
-        let (started, time) = (self.started, self.question.time);
-        let ends = (self.end(), time / SHARE);
-        look(self.kind, tasks, self.question.threads, ends, &mut |done| {
-            tell(what, (0.5 * done as f64 / all).max(part(started, time)));
-        });
+        let ends = (self.end(), self.question.time / SHARE);
+        let mut count = |done: usize| {
+            tell(&self.told(&format!("{what}, {done} of {all}")), None);
+        };
+        count(0);
+        look(self.kind, tasks, self.question.threads, ends, &mut count);
         let (seen, silent): (Vec<_>, Vec<_>) = new
             .into_iter()
             .partition(|probe| !probe.readings().is_empty());
@@ -307,10 +316,6 @@ fn leading(verdicts: &[Verdict]) -> usize {
         .iter()
         .take_while(|v| **v == Verdict::Within)
         .count()
-}
-
-fn part(started: Instant, time: Duration) -> f64 {
-    started.elapsed().as_secs_f64() / time.as_secs_f64()
 }
 
 /// Looks at scenes side by side, each for a share of the time; tells how many are done.

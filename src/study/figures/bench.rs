@@ -7,18 +7,15 @@ use std::sync::atomic::AtomicBool;
 
 /// Where a figure's runs are done, and who is told how far they are.
 pub(super) struct Bench<'a, 'b> {
-    what: String,
+    what: &'static str,
     pains: Pains,
     tell: &'a mut Tell<'b>,
 }
 
 impl<'a, 'b> Bench<'a, 'b> {
-    pub fn new(name: &str, pains: Pains, tell: &'a mut Tell<'b>) -> Self {
-        Self {
-            what: format!("figure {name}"),
-            pains,
-            tell,
-        }
+    /// The bench of a figure that is called so.
+    pub fn new(what: &'static str, pains: Pains, tell: &'a mut Tell<'b>) -> Self {
+        Self { what, pains, tell }
     }
 
     /// One of two things, by the pains that are taken.
@@ -35,6 +32,11 @@ impl<'a, 'b> Bench<'a, 'b> {
         work: impl Fn(&I) -> Result<T, FigureError> + Sync,
     ) -> Result<Vec<T>, FigureError> {
         let mut results = Vec::with_capacity(items.len());
+        // Runs of a figure are of all lengths: their number is no part of the time.
+        let all = items.len();
+        let mut count =
+            |done: usize| (self.tell)(&format!("{done} of {all} runs, {}", self.what), None);
+        count(0);
         let mut failed = None;
         sweep::run(
             0..items.len(),
@@ -42,7 +44,7 @@ impl<'a, 'b> Bench<'a, 'b> {
             &AtomicBool::new(false),
             |row| Some(work(&items[row])),
             |row, result| {
-                (self.tell)(&self.what, (row + 1) as f64 / items.len() as f64);
+                count(row + 1);
                 match result {
                     Ok(result) => results.push(result),
                     Err(error) => {

@@ -97,8 +97,9 @@ fn brief(x: f64) -> String {
     format!("{x:.0e}")
 }
 
-/// Runs every method on a case, each within so many slices of work.
-pub fn judge(case: &Case, slices: u64) -> Vec<Judgement> {
+/// Runs every method on a case, each within so many slices of work; who waits is told
+/// which it is at.
+pub fn judge(case: &Case, slices: u64, tell: &mut dyn FnMut(&str)) -> Vec<Judgement> {
     let scene = match &case.scene {
         Ok(scene) => scene,
         Err(error) => {
@@ -109,18 +110,23 @@ pub fn judge(case: &Case, slices: u64) -> Vec<Judgement> {
             return MethodName::ALL.map(refused).into();
         }
     };
+    tell("exact");
     let exact = run(scene, None, slices, None);
     let end = match &exact {
         Ending::Done { end, .. } => Some(*end),
         _ => None,
     };
+    tell("what it is compared with");
     let (of_exact, truth) = reference(scene, &exact, slices, end);
-    let judgement = |method| Judgement {
-        method,
-        verdict: match method {
-            MethodName::Exact => of_exact.clone(),
-            _ => other(scene, method, truth.as_ref(), slices, end),
-        },
+    let judgement = |method: MethodName| {
+        tell(method.as_str());
+        Judgement {
+            method,
+            verdict: match method {
+                MethodName::Exact => of_exact.clone(),
+                _ => other(scene, method, truth.as_ref(), slices, end),
+            },
+        }
     };
     MethodName::ALL.map(judgement).into()
 }

@@ -42,11 +42,12 @@ pub struct Limit {
 /// The limits of columns of several lengths and restitutions.
 pub fn limits(quick: bool, tell: &mut Tell) -> Vec<Limit> {
     let beads = if quick { &BEADS[..3] } else { &BEADS[..] };
-    let count = (beads.len() * RESTITUTIONS.len()) as f64;
+    let count = beads.len() * RESTITUTIONS.len();
     let mut limits = Vec::new();
     for &n in beads {
         for restitution in RESTITUTIONS {
-            tell(&format!("steps, N {n}"), limits.len() as f64 / count);
+            let at = limits.len() + 1;
+            tell(&format!("least steps, column {at} of {count}: N {n}"), None);
             if let Some(scene) = resting(n, restitution) {
                 limits.push(Limit {
                     n: scene.n,

@@ -3,6 +3,7 @@
 mod complete;
 
 use crate::scene::parameters::Parameter;
+use crate::scene::words::is_hidden;
 
 /// A line to type into.
 #[derive(Debug, Default)]
@@ -66,7 +67,7 @@ impl Prompt {
 
     /// Types a character; the line stays one printable line.
     pub fn insert(&mut self, c: char) {
-        if !c.is_control() && self.text.chars().count() < Self::LONGEST {
+        if !is_hidden(c) && self.text.chars().count() < Self::LONGEST {
             self.text.insert(self.cursor, c);
             self.cursor += c.len_utf8();
         }
