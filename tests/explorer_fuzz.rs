@@ -4,6 +4,8 @@
 
 #[path = "support/dice.rs"]
 mod dice;
+#[path = "support/explorer.rs"]
+mod explorer;
 #[path = "support/session.rs"]
 mod session;
 mod support;
@@ -11,7 +13,9 @@ mod support;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crossterm::event::KeyCode;
 use dice::Dice;
+use explorer::{Act, COLOURS, play, real};
 use rustix::process::Signal;
 use rustix::termios::tcsetwinsize;
 use session::{Session, winsize};
@@ -79,13 +83,16 @@ const PIECES: &[&str] = &[
 
 /// A whole number below `count`.
 fn below(dice: &mut Dice, count: u16) -> u16 {
-    (dice.roll() * f64::from(count)) as u16
+    dice.roll();
+    u16::try_from((dice.0 >> 33) % u64::from(count)).expect("it is below one")
 }
 
 /// Any bytes but those that leave.
 fn noise(dice: &mut Dice) -> Vec<u8> {
     let count = 1 + below(dice, 12);
-    let bytes: Vec<u8> = (0..count).map(|_| below(dice, 256) as u8).collect();
+    let bytes: Vec<u8> = (0..count)
+        .map(|_| below(dice, 256).to_le_bytes()[0])
+        .collect();
     bytes
         .into_iter()
         .filter(|byte| !matches!(byte, b'q' | 0x03 | 0x1a))
@@ -98,7 +105,7 @@ fn pieces(dice: &mut Dice, count: usize) -> Vec<u8> {
         if dice.chance(0.1) {
             bytes.extend(noise(dice));
         } else {
-            let k = below(dice, PIECES.len() as u16);
+            let k = below(dice, u16::try_from(PIECES.len()).expect("few"));
             bytes.extend(PIECES[usize::from(k)].as_bytes());
         }
     }
@@ -136,6 +143,50 @@ fn torment(seed: u64, count: usize, leave: &str) {
 fn after_any_input_the_keys_that_leave_work() {
     torment(1, 4_000, "q");
     torment(2, 4_000, "\x03");
+}
+
+/// The same through the loop alone, without a terminal: any key, any size.
+fn torment_loop(seed: u64, count: usize) {
+    let mut dice = Dice(seed);
+    let codes = [
+        KeyCode::Esc,
+        KeyCode::Enter,
+        KeyCode::Tab,
+        KeyCode::Backspace,
+        KeyCode::Delete,
+        KeyCode::Up,
+        KeyCode::Down,
+        KeyCode::Left,
+        KeyCode::Right,
+        KeyCode::Home,
+        KeyCode::End,
+        KeyCode::PageUp,
+        KeyCode::PageDown,
+    ];
+    let script = (0..count).map(|_| match below(&mut dice, 40) {
+        0 => Act::Resize(1 + below(&mut dice, 200), 1 + below(&mut dice, 80)),
+        k @ 1..14 => Act::Key(codes[usize::from(k - 1)]),
+        _ => {
+            let c = char::from(b' ' + below(&mut dice, 95).to_le_bytes()[0]);
+            Act::Key(KeyCode::Char(if c == 'q' { 'e' } else { c }))
+        }
+    });
+    // It ends by itself and asserts that it was left by the key.
+    let rows = play("shaken", COLOURS, (80, 24), real(), script.collect());
+    assert_eq!(rows.len(), 24);
+}
+
+#[test]
+fn after_any_keys_the_loop_can_be_left() {
+    torment_loop(3, 5_000);
+}
+
+#[test]
+#[ignore = "minutes"]
+fn after_a_million_keys_the_loop_can_be_left() {
+    for seed in 0..10 {
+        torment_loop(200 + seed, 100_000);
+    }
 }
 
 /// Two million keys, sequences and pieces of them; some minutes.

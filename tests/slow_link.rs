@@ -130,7 +130,7 @@ impl Drop for Sshd {
 
 /// Seconds from space to "paused" on the screen, then from space until it is gone, at each
 /// time after the first picture.
-fn delays(sshd: &Sshd, rate: f64, way: f64, times: &[f64]) -> Vec<f64> {
+fn delays(sshd: &Sshd, rate: u16, way: f64, times: &[f64]) -> Vec<f64> {
     let proxy = SlowProxy::start(sshd.port, rate, Duration::from_secs_f64(way / 2.0));
     let mut session = sshd.explore(&proxy);
     wait(
@@ -164,11 +164,7 @@ fn delays(sshd: &Sshd, rate: f64, way: f64, times: &[f64]) -> Vec<f64> {
 #[ignore = "needs sshd; a minute"]
 fn a_key_acts_soon_on_any_link() {
     let sshd = Sshd::start();
-    for (rate, way, most) in [
-        (2_000.0, 0.3, 1.0),
-        (1_200.0, 0.6, 2.0),
-        (9_600.0, 0.1, 0.4),
-    ] {
+    for (rate, way, most) in [(2_000, 0.3, 1.0), (1_200, 0.6, 2.0), (9_600, 0.1, 0.4)] {
         let delays = delays(&sshd, rate, way, &[3.0, 15.0]);
         println!("{rate} B/s, {way} s there and back: {delays:.2?} s");
         let longest = delays.iter().copied().fold(0.0, f64::max);

@@ -16,7 +16,7 @@ pub struct SlowProxy {
 
 impl SlowProxy {
     /// Forwards connections to the port `to` on loopback.
-    pub fn start(to: u16, rate: f64, late: Duration) -> SlowProxy {
+    pub fn start(to: u16, rate: u16, late: Duration) -> SlowProxy {
         let listener = TcpListener::bind("127.0.0.1:0").expect("a port is to be had");
         let port = listener.local_addr().expect("it has an address").port();
         let slow = Arc::new(AtomicBool::new(false));
@@ -40,7 +40,7 @@ impl SlowProxy {
     }
 }
 
-fn forward(mut from: TcpStream, mut to: TcpStream, rate: f64, late: Duration, slow: &AtomicBool) {
+fn forward(mut from: TcpStream, mut to: TcpStream, rate: u16, late: Duration, slow: &AtomicBool) {
     let (line, end) = channel::<(Instant, Vec<u8>)>();
     thread::spawn(move || {
         let _ = to.set_nodelay(true);
@@ -53,11 +53,11 @@ fn forward(mut from: TcpStream, mut to: TcpStream, rate: f64, late: Duration, sl
         let _ = to.shutdown(Shutdown::Write);
     });
     let mut free = Instant::now();
-    let mut buffer = [0; 65_536];
+    let mut buffer = [0; 16_384];
     loop {
         let is_slow = slow.load(Ordering::SeqCst);
         let most = if is_slow {
-            ((rate * 0.05) as usize).clamp(1, 1448)
+            usize::from(rate / 20).clamp(1, 1448)
         } else {
             buffer.len()
         };
@@ -67,7 +67,7 @@ fn forward(mut from: TcpStream, mut to: TcpStream, rate: f64, late: Duration, sl
         free = free.max(Instant::now());
         let mut due = free;
         if is_slow {
-            free += Duration::from_secs_f64(count as f64 / rate);
+            free += Duration::from_secs_f64(count as f64 / f64::from(rate));
             due = free + late;
         }
         if line.send((due, buffer[..count].to_vec())).is_err() {
