@@ -61,6 +61,21 @@ fn a_signal_ends_it_although_nobody_reads() {
 }
 
 #[test]
+fn keys_leave_it_although_nobody_reads() {
+    for key in ["q", "\x03"] {
+        let mut session = Session::start(&["--speed", "0.2"], false);
+        // Pastes and what is not understood change nothing.
+        session.type_keys("\x1b[200~n=3\x1b[201~\x1b]11;rgb:0/0/0\x07");
+        thread::sleep(Duration::from_secs(3));
+        let start = Instant::now();
+        session.type_keys(key);
+        assert_eq!(session.wait_for_end().code(), Some(0));
+        assert!(start.elapsed() < Duration::from_secs(1));
+        assert!(session.is_cooked());
+    }
+}
+
+#[test]
 fn a_vanished_terminal_ends_it_at_once() {
     let mut session = Session::start(&[], false);
     thread::sleep(Duration::from_millis(700));
