@@ -104,8 +104,8 @@ pub enum AdviseError {
     Limit(RunError),
     /// The limit takes longer than there is time.
     #[error(
-        "the limit alone takes more than its share of the time, {share} s, a quarter of --budget \
-         (hard spheres near inelastic collapse may take minutes)"
+        "the limit alone takes more than its share of the time, {share} s, a quarter of all; \
+         --budget gives more (hard spheres near inelastic collapse may take minutes)"
     )]
     LimitTooSlow {
         /// What it had, s.
