@@ -4,6 +4,7 @@
 //! what happens, [`view::view`] draws it, and [`event_loop`] runs the three; the
 //! other files are the terminal's manners. The loop runs on any backend.
 
+mod caption;
 pub mod event_loop;
 mod guard;
 pub mod input;

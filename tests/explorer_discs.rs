@@ -88,7 +88,7 @@ fn discs(into: &mut Observation) -> &mut Discs {
 /// The rows of the screen that have discs, as far as the discs go; the rule above them
 /// and the scale below are not among them.
 fn plane(screen: &[String]) -> Vec<String> {
-    let rows = screen[2..21].iter();
+    let rows = screen[2..20].iter();
     rows.map(|row| row.chars().take(DISCS).collect()).collect()
 }
 
@@ -107,7 +107,7 @@ fn found(plane: &[String], wanted: char) -> Vec<(usize, usize)> {
 /// Dots of a metre on the plane, from the scale on the screen: the discs, of 1 mm, are
 /// four dots wide.
 fn dots_per_metre(screen: &[String]) -> f64 {
-    let scale: String = screen[21].chars().take(DISCS).collect();
+    let scale: String = screen[20].chars().take(DISCS).collect();
     let number = scale.split("gap").nth(1).expect("the scale is told");
     let number: f64 = number[1..].trim().parse().expect("a number");
     number * 4.0 / 1e-3
@@ -205,10 +205,9 @@ fn everything_needed_to_teach_is_on_80_by_24() {
         "1D",
         "µm",
         "E_r/E",
-        "σ landing",
-        "detachment",
-        "2D ε_eff",
-        "1D ε_eff",
+        "free flight / t_c",
+        "detachment: 2D fails",
+        "ε_eff",
         "rows",
         "restitution",
         "e/E",
@@ -301,7 +300,7 @@ fn from_a_lattice_to_a_column_and_back() {
     script.extend([Act::Key(KeyCode::Enter), Act::Wait(200)]);
     let back = play("fig4", COLOURS, SIZE, real(), script).join("\n");
     assert!(
-        back.contains("130 discs") && back.contains("1D ε_eff"),
+        back.contains("130 discs") && back.contains("ε_eff"),
         "{back}"
     );
 }

@@ -67,6 +67,51 @@ fn everything_needed_to_teach_is_on_80_by_24() {
     assert!(dots > 100, "nothing is drawn:\n{screen}");
 }
 
+/// The verdict of shaken, and E_r/E of both columns, under its words or short.
+#[test]
+fn small_screens_keep_the_verdict_and_both_energy_shares() {
+    for size in [(60, 20), (60, 18), (40, 12), (30, 10)] {
+        for theme in [COLOURS, ASCII] {
+            let script = vec![Act::Wait(2500)];
+            let screen = joined(&play("shaken", theme, size, real(), script));
+            assert!(screen.contains("detachment"), "{size:?}:\n{screen}");
+            let shares = ["E_r/E MD 0.", "E_r/E 0."].map(|start| {
+                let rest = screen.split(start).nth(1).unwrap_or_default();
+                rest.chars()
+                    .skip_while(char::is_ascii_digit)
+                    .take(5)
+                    .collect::<String>()
+            });
+            let whole = shares[0].starts_with(" ED 0") || shares[1].starts_with("/0");
+            assert!(whole, "{size:?}:\n{screen}");
+        }
+    }
+    let screen = joined(&play(
+        "shaken",
+        COLOURS,
+        (20, 5),
+        real(),
+        vec![Act::Wait(2500)],
+    ));
+    assert!(screen.contains("shaken  detachment"), "{screen}");
+}
+
+#[test]
+fn signs_and_numbers_are_told_in_words_on_80_by_24() {
+    let script = vec![Act::Wait(2500)];
+    let screen = joined(&play("shaken", COLOURS, (80, 24), real(), script));
+    for words in [
+        "= free flight / t_c",
+        "detachment: MD fails",
+        "look for: Hard spheres stay together",
+        "the method does that, not the physics.",
+        "energy E",
+        "now",
+    ] {
+        assert!(screen.contains(words), "{words} is missing:\n{screen}");
+    }
+}
+
 #[test]
 fn every_size_can_be_drawn_with_every_overlay() {
     for size in SIZES {

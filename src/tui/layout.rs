@@ -12,6 +12,7 @@
 //!  ── shaken: on tall screens, what is to be seen ──────────────────────
 //!  caption, what to look for, what to try next
 //!  what to beware of, and errors that were asked for
+//!  on screens without the panels: verdict, E_r/E
 //!  message
 //!  keys
 //! ```
@@ -38,6 +39,14 @@ const PARAMETERS: u16 = 32;
 const THREE_STRIPS: u16 = 38;
 /// Rows from which on lines about the columns have rows of their own.
 const LOW: u16 = 12;
+/// Rows from which on the verdict has a row where there is no σ panel.
+const WITH_VERDICT: u16 = 10;
+/// Histories of fewer columns tell nothing.
+const NARROWEST_STRIP: u16 = 10;
+/// Rows from which on there are two for a sentence.
+const TWO_LINES: u16 = 20;
+/// Rows that a screen has besides the preset's texts.
+const WITHOUT_TEXTS: u16 = 29;
 
 /// Where one column of beads is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -59,6 +68,8 @@ pub struct Contents {
     pub sides: usize,
     /// Lines about them.
     pub notices: u16,
+    /// Lines of the preset's texts, all of them.
+    pub texts: u16,
     /// Whether there are histories of their errors.
     pub errors: bool,
     /// The lattice on the left, where there is one.
@@ -112,7 +123,9 @@ pub struct Layout {
     pub text: Rect,
     /// The lines about the columns; empty on low screens.
     pub notices: Rect,
-    /// The line of the moment.
+    /// The verdict, where there is no σ panel.
+    pub verdict: Rect,
+    /// The lines of the moment.
     pub message: Rect,
     /// The keys.
     pub keys: Rect,
@@ -159,21 +172,29 @@ pub fn layout((width, height): (u16, u16), contents: Contents) -> Layout {
     if height >= 4 {
         layout.keys = rows.bottom(1);
     }
+    // The texts, and their title.
+    let text = match contents.texts {
+        lines if lines > 0 && width >= 60 && height > WITHOUT_TEXTS + lines => lines + 1,
+        _ => 0,
+    };
     if height >= 8 {
-        layout.message = rows.bottom(1);
+        // Where the texts stand they need no turns here.
+        let tall = height >= TWO_LINES && text == 0;
+        layout.message = rows.bottom(if tall { 2 } else { 1 });
+    }
+    let panels = has_panels((width, height), contents);
+    if height >= WITH_VERDICT && !panels {
+        layout.verdict = rows.bottom(1);
     }
     if height >= LOW {
         layout.notices = rows.bottom(contents.notices);
     }
-    let text = text_height(width);
-    if width >= 60 && height >= 29 + text {
-        layout.text = rows.bottom(text);
-    }
+    layout.text = rows.bottom(text);
     if let Some(lattice) = contents.lattice {
         plane::place(&mut layout, rows, height, lattice, contents.sides);
         return layout;
     }
-    if height >= 18 && width >= 60 {
+    if panels {
         let panels = rows.bottom(panel_height(height));
         layout.lower_rule = rows.bottom(1);
         layout.panels = panel_columns(panels, contents.errors);
@@ -190,6 +211,16 @@ pub fn layout((width, height): (u16, u16), contents: Contents) -> Layout {
     layout
 }
 
+/// Whether there is room for the panels.
+fn has_panels((width, height): (u16, u16), contents: Contents) -> bool {
+    let narrowest = if contents.lattice.is_some() {
+        plane::WITH_PANELS
+    } else {
+        60
+    };
+    height >= 18 && width >= narrowest
+}
+
 /// Width of a trace on such a screen, cells.
 pub fn trace_width(size: (u16, u16), contents: Contents) -> u16 {
     layout(size, contents)
@@ -201,31 +232,30 @@ pub fn trace_width(size: (u16, u16), contents: Contents) -> u16 {
 /// More rows on taller screens, until all parameters are seen.
 fn panel_height(height: u16) -> u16 {
     match height {
-        0..24 => height - 17,
+        0..24 => (height - 17).max(2),
         _ => (7 + (height - 24) / 3).min(15),
     }
-}
-
-/// Rows of the preset's three texts and their title, for texts of the usual length.
-fn text_height(width: u16) -> u16 {
-    1 + 3 * 190u16.div_ceil(width.saturating_sub(2).max(1))
 }
 
 fn panel_columns(area: Rect, with_errors: bool) -> Panels {
     let spare = area.width.saturating_sub(80);
     let parameters = PARAMETERS + (spare / 6).min(12);
-    let sigma = SIGMA + (spare / 5).min(20);
+    let mut sigma = SIGMA + (spare / 5).min(20);
     let mut x = area.x;
     let mut take = |width: u16| {
         let cut = Rect { x, width, ..area };
         x += width + 1;
         cut
     };
-    let left = area.width.saturating_sub(parameters + sigma + 2);
+    let mut left = area.width.saturating_sub(parameters + sigma + 2);
+    if left < NARROWEST_STRIP {
+        sigma = area.width.saturating_sub(parameters + 1);
+        left = 0;
+    }
     let none = Rect::default();
     let (energy, relative, errors) = match left {
-        0..5 => (none, none, none),
-        5..22 => (none, take(left), none),
+        0 => (none, none, none),
+        1..22 => (none, take(left), none),
         THREE_STRIPS.. if with_errors => {
             let third = (left - 2) / 3;
             (take(third), take(third), take(left - 2 - 2 * third))

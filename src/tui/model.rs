@@ -6,6 +6,7 @@ mod overlay;
 mod pace;
 mod page;
 mod prompt;
+mod room;
 mod scale;
 
 pub use bench::{Bench, Change, Check};
@@ -15,11 +16,13 @@ pub use overlay::{Menu, Overlay};
 pub use pace::{Speed, speed_text};
 pub use page::Page;
 pub use prompt::{Note, Place, Prompt};
+pub use room::Notice;
 pub use scale::Scale;
 
 use std::time::{Duration, Instant};
 
-use super::layout::{self, Contents, Lattice};
+use super::caption::Reading;
+use super::layout;
 use super::theme::Theme;
 use crate::live::{Accuracy, Frame, History, Order, Side, Status, Sweep};
 use crate::scene::{Preset, Scene};
@@ -41,26 +44,7 @@ pub struct Glimpse {
     pub time: f64,
     /// Simulated seconds in a second, reached lately.
     pub achieved: Option<f64>,
-    /// How often this was looked at.
-    pub looks: u64,
     taken: Option<Instant>,
-}
-
-/// A line about one of the columns.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Notice {
-    /// Its steps are too long for closed contacts.
-    TooFewSteps {
-        /// Which column.
-        side: usize,
-        /// The least steps in a contact time.
-        least: f64,
-    },
-    /// Its error against the run in its shadow.
-    Error {
-        /// Which column.
-        side: usize,
-    },
 }
 
 /// The row of the parameter panel selected at first: the restitution, which every scene
@@ -104,6 +88,8 @@ pub struct Model {
     pub entered: Vec<String>,
     /// The line of the moment.
     pub message: Option<Message>,
+    /// For how long the preset's texts have been read.
+    pub(super) reading: Reading,
     /// Characters and colours.
     pub theme: Theme,
     /// Width and height of the screen, cells.
@@ -144,6 +130,7 @@ impl Model {
             overlay: Overlay::None,
             entered: Vec::new(),
             message: None,
+            reading: Reading::default(),
             theme,
             size,
             generation: 0,
@@ -184,6 +171,7 @@ impl Model {
         self.bench = Bench::new(&preset)?;
         self.preset = preset;
         self.selected = first_row(&self.bench);
+        self.reading = Reading::default();
         self.speed = self.fitting;
         Ok(self.start(true))
     }
@@ -207,6 +195,12 @@ impl Model {
             self.say_after_echo(frame.notes.join("; "), alarm, now);
         }
         self.expire_message(now);
+        let covered = self.message.is_some() || self.held;
+        if covered || !matches!(self.overlay, Overlay::None) {
+            self.reading.rest();
+        } else {
+            self.reading.go_on(now);
+        }
         self.column.refresh(&frame, self.look(), still, now);
         self.numbers.refresh(&frame, NUMBERS, still, now);
         self.fit_page(turned, false)
@@ -283,30 +277,6 @@ impl Model {
         sides.any(|side| matches!(side.accuracy, Some(Accuracy::GivenUp(_))))
     }
 
-    /// The lines that the screen has for the present scenes, beside the messages of the
-    /// moment: what to beware of, and errors that were asked for.
-    pub fn notices(&self) -> Vec<Notice> {
-        let checks = || self.bench.checks().iter().enumerate();
-        let coarse = checks().filter_map(|(side, check)| {
-            let least = check.least_steps?;
-            Some(Notice::TooFewSteps { side, least })
-        });
-        let errors = checks()
-            .filter(|(_, check)| self.shadow && check.reference.is_ok())
-            .map(|(side, _)| Notice::Error { side });
-        coarse.chain(errors).collect()
-    }
-
-    /// What takes room on the screen.
-    pub(super) fn contents(&self) -> Contents {
-        let notices = self.notices();
-        Contents {
-            notices: u16::try_from(notices.len()).unwrap_or(u16::MAX),
-            errors: notices.iter().any(|n| matches!(n, Notice::Error { .. })),
-            ..contents(self.bench.scenes())
-        }
-    }
-
     /// The name of a column: MD or ED; of a lattice and the column beside it, 2D and 1D.
     pub fn label(&self, index: usize) -> &'static str {
         if self.bench.is_lattice() {
@@ -363,27 +333,13 @@ impl Glimpse {
             self.time = frame.time;
             self.achieved = frame.achieved;
             self.taken = Some(now);
-            self.looks += 1;
         }
-    }
-}
-
-/// What these scenes take room for.
-fn contents(scenes: &[Scene]) -> Contents {
-    let sites = scenes.first().and_then(|scene| scene.sites());
-    Contents {
-        sides: scenes.len(),
-        lattice: sites.map(|sites| Lattice {
-            rows: sites.rows,
-            columns: sites.columns,
-        }),
-        ..Contents::default()
     }
 }
 
 /// The page of these scenes on a screen of that size.
 fn sweep(scenes: &[Scene], size: (u16, u16), origin: f64) -> Sweep {
-    let cells = layout::trace_width(size, contents(scenes));
+    let cells = layout::trace_width(size, room::contents(scenes));
     Sweep {
         origin,
         span: pace::span(scenes, cells),

@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use super::caption::Reading;
 use super::keys::{self, Action};
 use super::model::{Bench, Menu, Model, Overlay, Prompt};
 use crate::live::{Frame, Order};
@@ -67,6 +68,8 @@ pub fn update(model: &mut Model, msg: Msg, now: Instant) -> Option<Command> {
         Msg::Frame(frame) => model.show(*frame, now).map(Command::Order),
         Msg::Resize(width, height) => {
             model.size = (width, height);
+            // The texts are divided otherwise, and begin again.
+            model.reading = Reading::default();
             model.fit_page(false, true).map(Command::Order)
         }
         Msg::SimulationEnded => {

@@ -4,16 +4,16 @@ use ratatui::Frame;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::layout::{Layout, Pane, layout};
+use super::layout::{Layout, layout};
 use super::model::{Model, Overlay};
-use super::numbers;
 use super::widgets::beads::Beads;
 use super::widgets::discs::Plane;
 use super::widgets::strip::Quantity;
-use super::widgets::text::{columns, fitted, line};
+use super::widgets::text::fitted;
 use super::widgets::trace::Trace;
 use super::widgets::{
-    accuracy, axis, footer, header, help, menu, parameters, prompt, rules, sigma, strip, title,
+    accuracy, axis, footer, header, help, menu, parameters, prompt, rules, sigma, strip, time,
+    title, verdict,
 };
 use crate::live::Status;
 
@@ -30,11 +30,12 @@ pub fn view(model: &Model, frame: &mut Frame) {
         Overlay::Help(scrolled) => help::render(model, *scrolled, above_keys, buffer),
         Overlay::Presets(menu) => menu::render(model, menu, above_keys, buffer),
         Overlay::None | Overlay::Prompt(_) => {
-            header::render(model, layout.header, buffer);
+            header::render(model, &layout, buffer);
             draw_rules(model, &layout, buffer);
             draw_discs(model, &layout, buffer);
             draw_panes(model, &layout, buffer);
             draw_panels(model, &layout, buffer);
+            verdict::render_row(model, layout.verdict, buffer);
             accuracy::render_notices(model, layout.notices, buffer);
             footer::render_message(model, &layout, buffer);
         }
@@ -113,7 +114,7 @@ fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
             continue;
         };
         title::render(model, index, pane.title, buffer);
-        draw_time(model, pane, buffer);
+        time::render(model, pane.trace, pane.time, buffer);
         let seen = model.column.sides.get(index);
         let failure = seen.and_then(|side| match &side.status {
             Status::Failed(why) => Some(why.as_str()),
@@ -144,27 +145,6 @@ fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     }
 }
 
-/// When the page begins and ends.
-fn draw_time(model: &Model, pane: &Pane, buffer: &mut Buffer) {
-    if pane.time.is_empty() {
-        return;
-    }
-    let theme = model.theme;
-    let sweep = &model.page.sweep;
-    let start = sweep.page_start(model.page.now);
-    let axis = Rect {
-        width: pane.trace.width.saturating_sub(2),
-        ..pane.time
-    };
-    let from = numbers::clock(start, sweep.span);
-    let to = numbers::clock(start + sweep.span, sweep.span);
-    if columns(&from) + columns(&to) < axis.width {
-        line(theme, buffer, axis, 0)
-            .put(&from, theme.quiet())
-            .right(&to, theme.quiet());
-    }
-}
-
 fn draw_panels(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     let panels = &layout.panels;
     strip::render(model, Quantity::Kinetic, panels.energy, buffer);
@@ -180,7 +160,8 @@ fn draw_panels(model: &Model, layout: &Layout, buffer: &mut Buffer) {
             rules::title(model.theme, title, above, buffer);
         }
     }
-    sigma::render(model, panels.sigma, buffer);
+    let with_history = !panels.relative.is_empty();
+    sigma::render(model, panels.sigma, with_history, buffer);
     parameters::render(model, panels.parameters, buffer);
     if !layout.text.is_empty() {
         let rule = Rect {

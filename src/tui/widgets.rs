@@ -16,5 +16,7 @@ pub mod rules;
 pub mod sigma;
 pub mod strip;
 pub mod text;
+pub mod time;
 pub mod title;
 pub mod trace;
+pub mod verdict;

@@ -27,6 +27,8 @@ const DISCS: u16 = 26;
 pub const SHARE: f64 = 0.55;
 /// Distance of two rows in diameters, √3/2.
 pub const ROW: f64 = 0.866;
+/// Columns from which on there are panels below the traces.
+pub(super) const WITH_PANELS: u16 = DISCS + 1 + SIGMA;
 /// Columns from which on there is a trace beside the discs.
 const WITH_TRACE: u16 = 40;
 /// Columns of the narrowest of two traces.
@@ -51,7 +53,7 @@ pub(super) fn place(
         layout.upper_rule = rows.top(1);
     }
     let body = rows.0;
-    let with_panels = height >= 18 && width >= DISCS + 1 + SIGMA;
+    let with_panels = height >= 18 && width >= WITH_PANELS;
     if width < WITH_TRACE {
         layout.discs = body;
         return;

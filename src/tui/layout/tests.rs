@@ -18,7 +18,8 @@ fn all(layout: &Layout) -> Vec<Rect> {
         layout.strips_rule,
         layout.discs,
     ];
-    rects.extend([layout.text, layout.notices, layout.message, layout.keys]);
+    rects.extend([layout.text, layout.notices, layout.verdict]);
+    rects.extend([layout.message, layout.keys]);
     let Panels {
         energy,
         relative,
@@ -45,6 +46,7 @@ fn nothing_overlaps_and_nothing_leaves_the_screen() {
             let contents = Contents {
                 sides,
                 notices,
+                texts: 3 * sides as u16,
                 errors: notices > 0,
                 lattice,
             };
@@ -70,7 +72,7 @@ fn everything_needed_to_teach_fits_80_by_24() {
         layout
             .panes
             .iter()
-            .all(|pane| pane.trace.width >= 29 && pane.trace.height >= 11)
+            .all(|pane| pane.trace.width >= 29 && pane.trace.height >= 10)
     );
     assert!(layout.panes.iter().all(|pane| pane.column.width >= 5));
     let Panels {
@@ -86,6 +88,8 @@ fn everything_needed_to_teach_fits_80_by_24() {
             .iter()
             .all(|rect| rect.height == 7)
     );
+    // A sentence of usual length is whole.
+    assert_eq!(layout.message.height, 2);
 }
 
 #[test]
@@ -99,7 +103,7 @@ fn a_lattice_has_discs_traces_and_panels_at_80_by_24() {
     };
     let layout = layout((80, 24), contents);
     // Thirteen discs of four dots, and no fewer rows than the screen can spare.
-    assert_eq!((layout.discs.width, layout.discs.height), (26, 20));
+    assert_eq!((layout.discs.width, layout.discs.height), (26, 19));
     assert!(layout.panes[0].trace.width >= 24);
     let Panels {
         energy,
@@ -111,6 +115,44 @@ fn a_lattice_has_discs_traces_and_panels_at_80_by_24() {
     assert!(energy.height >= 4 && relative.height >= 4);
     assert!(sigma.width >= 21 && sigma.height >= 6);
     assert!(parameters.width >= 31);
+}
+
+/// Wherever there are ten rows the verdict stands in the σ panel or in a row, not in both.
+#[test]
+fn the_verdict_has_its_place_on_small_screens() {
+    let lattice = Some(Lattice {
+        rows: 10,
+        columns: 13,
+    });
+    for (width, height) in (20..130).flat_map(|w| (10..40).map(move |h| (w, h))) {
+        for lattice in [None, lattice] {
+            let contents = Contents {
+                lattice,
+                ..columns(2)
+            };
+            let layout = layout((width, height), contents);
+            let panel = layout.panels.sigma;
+            assert_eq!(panel.is_empty(), !layout.verdict.is_empty());
+            assert!(panel.is_empty() || (panel.height >= 2 && panel.width >= 21));
+        }
+    }
+}
+
+#[test]
+fn texts_stand_where_all_of_them_have_room() {
+    let with = |height, texts| {
+        let contents = Contents {
+            texts,
+            ..columns(2)
+        };
+        layout((120, height), contents)
+    };
+    assert_eq!(with(36, 6).text.height, 7);
+    assert!(with(36, 7).text.is_empty() && with(36, 0).text.is_empty());
+    assert_eq!(
+        (with(36, 6).message.height, with(36, 7).message.height),
+        (1, 2)
+    );
 }
 
 #[test]

@@ -70,17 +70,45 @@ impl Page {
     /// (a part of the page) ahead of the pen.
     pub fn visible(&self, gap: f64) -> impl Iterator<Item = (f64, &Sample)> {
         let sweep = self.sweep;
-        let column = move |time: f64| (time - sweep.origin) / sweep.interval();
-        let grid = move |time: f64| column(time).round();
         let columns = sweep.columns as f64;
-        let page = ((column(self.now) + 1e-6).floor() / columns).floor();
-        let pen = sweep.phase(self.now);
+        let grid = move |time: f64| ((time - sweep.origin) / sweep.interval()).round();
+        let (page, pen) = self.pen();
         self.samples.iter().filter_map(move |sample| {
             let index = grid(sample.time);
             let place = index.rem_euclid(columns) / columns;
-            let fresh = (index / columns).floor() >= page;
-            (fresh || place > pen + gap).then_some((place, sample))
+            let turned = page - (index / columns).floor();
+            let old = turned <= 1.0 && place > pen + gap;
+            (turned <= 0.0 || old).then_some((place, sample))
         })
+    }
+
+    /// The number of the page that the pen is on, and where on it, from 0 to 1. Rounding must
+    /// not keep it on a page that is full.
+    fn pen(&self) -> (f64, f64) {
+        let columns = self.sweep.columns as f64;
+        let column = (self.now - self.sweep.origin) / self.sweep.interval() + 1e-6;
+        let pages = (column / columns).max(0.0);
+        (pages.floor(), pages.fract())
+    }
+
+    /// When the page began, s, and where on it the pen is, from 0 to 1.
+    pub fn begun(&self) -> (f64, f64) {
+        let (page, pen) = self.pen();
+        (page.mul_add(self.sweep.span, self.sweep.origin), pen)
+    }
+
+    /// The time of what is drawn at a place of the page, from 0 to 1, s: of this page up to
+    /// the pen, and of the last one from `gap` ahead of it on.
+    pub fn time_at(&self, place: f64, gap: f64) -> Option<f64> {
+        let (start, pen) = self.begun();
+        let fresh = place.mul_add(self.sweep.span, start);
+        if place <= pen {
+            return Some(fresh);
+        }
+        let old = fresh - self.sweep.span;
+        // Rounding must not take the first sample's column from it.
+        let first = self.samples.iter().next()?.time - 0.5 * self.sweep.interval();
+        (place > pen + gap && old >= first).then_some(old)
     }
 }
 

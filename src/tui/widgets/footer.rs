@@ -5,16 +5,15 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::accuracy;
+use super::menu::{render_turn, text_width};
 use super::text::{columns, fitted, line, wrapped};
+use crate::tui::caption::{Text, Turn, texts, turns};
 use crate::tui::keys::{BINDINGS, Hint};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Notice};
 
-/// Looks at the numbers, five a second, for which a line of a longer text stays.
-const LOOKS_A_LINE: u64 = 25;
-
-/// Draws the line of the moment: a message, a hint, or, where they stand nowhere else,
-/// what there is to say of the columns and what to look for.
+/// Draws the lines of the moment: a message, a hint, or, in turns, what to look for, what
+/// the signs on the screen mean, what to try next and what is simulated.
 pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     let (theme, area) = (model.theme, layout.message);
     let notice = model.notices().first().copied();
@@ -23,9 +22,6 @@ pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     let warned = matches!(notice, Some(Notice::TooFewSteps { .. }));
     let message = model.message.as_ref();
     let message = message.filter(|message| !(message.echo && warned));
-    let mut start = line(theme, buffer, area, 0);
-    start.skip(1);
-    let room = start.room().saturating_sub(1);
     match (message, notice) {
         (Some(message), _) => {
             let style = if message.alarm {
@@ -33,7 +29,7 @@ pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
             } else {
                 theme.strong()
             };
-            start.put(&fitted(&theme.text(&message.text), room), style);
+            say(model, &message.text, style, area, buffer);
         }
         _ if model.held => {
             let what = if model.is_over() {
@@ -41,23 +37,71 @@ pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
             } else {
                 "the page is full"
             };
-            start.put(
-                &format!("{what}: r restarts, space goes on"),
-                theme.strong(),
-            );
+            let text = format!("{what}: r restarts, space goes on");
+            say(model, &text, theme.strong(), area, buffer);
         }
         (None, Some(notice)) => accuracy::render_notice(model, notice, area, 0, buffer),
-        _ if !layout.text.is_empty() => {}
         _ => {
-            // Line after line where all of it has no room.
-            let text = format!("look for: {}", model.preset.look_for);
-            let lines = wrapped(&theme.text(&text), room);
-            let turn = usize::try_from(model.numbers.looks / LOOKS_A_LINE).unwrap_or(0);
-            if let Some(line) = lines.get(turn % lines.len().max(1)) {
-                start.put(line, theme.quiet());
+            let turns = turns(theme, &told(model, layout), text_width(area), area.height);
+            if let Some(Turn { label, lines }) = model.reading.due(&turns) {
+                render_turn(theme, label, lines, area, 0, buffer);
             }
         }
     }
+}
+
+/// Writes a text into the rows of the area, with dots at its end if some is left.
+fn say(model: &Model, text: &str, style: Style, area: Rect, buffer: &mut Buffer) {
+    let lines = wrapped(&model.theme.text(text), text_width(area));
+    let last = usize::from(area.height.saturating_sub(1));
+    for (row, text) in (0..area.height).zip(&lines) {
+        let rest = lines[usize::from(row)..].join(" ");
+        let text = if usize::from(row) == last {
+            fitted(&rest, text_width(area))
+        } else {
+            text.clone()
+        };
+        line(model.theme, buffer, area, row)
+            .skip(1)
+            .put(&text, style);
+    }
+}
+
+/// What is told in turns. Of the preset's texts none, where all of them stand above.
+fn told(model: &Model, layout: &Layout) -> Vec<Text> {
+    let [caption, look_for, try_next] = texts(&model.preset);
+    let legend = Text {
+        label: "signs: ",
+        sentences: legend(layout),
+    };
+    if layout.text.is_empty() {
+        vec![look_for, legend, try_next, caption]
+    } else {
+        vec![legend]
+    }
+}
+
+/// What the signs on this screen mean.
+fn legend(layout: &Layout) -> String {
+    let beads = layout.panes.iter().any(|pane| !pane.column.is_empty());
+    let mut sentences = Vec::new();
+    if !layout.discs.is_empty() {
+        sentences.push("Filled discs touch.");
+    }
+    if beads {
+        sentences.push("A dot • marks two beads that touch.");
+    }
+    if beads || !layout.discs.is_empty() {
+        sentences.push("Gaps are drawn gap× the scale of beads.");
+    }
+    if !layout.panels.relative.is_empty() {
+        sentences
+            .push("E_r/E is the part of the kinetic energy E that beads have against each other.");
+    }
+    if sentences.is_empty() {
+        sentences.push("Each line is a bead, the lowest the plate.");
+    }
+    sentences.join(" ")
 }
 
 /// Draws the keys, as many as there is room for.

@@ -5,8 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::text::{columns, fitted, line};
+use super::verdict;
 use crate::scene::LawName;
 use crate::scene::parameters::{Parameter, Value, display, display_ascii, find};
+use crate::tui::layout::Layout;
 use crate::tui::model::{Model, speed_text};
 use crate::tui::numbers;
 
@@ -25,18 +27,28 @@ const FACTS: [&str; 9] = [
 /// Speeds that differ by less are the same.
 const SAME: f64 = 0.1;
 
-/// Draws the line.
-pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
-    let theme = model.theme;
-    let clock = clock(model);
-    let room = area.width.saturating_sub(columns(&theme.text(&clock)) + 2);
+/// Draws the line, with the verdict if that stands nowhere else.
+pub fn render(model: &Model, layout: &Layout, buffer: &mut Buffer) {
+    let (theme, area) = (model.theme, layout.header);
+    let name = &model.preset.name;
+    let told = layout.verdict.is_empty() && layout.panels.sigma.is_empty();
+    let verdict = verdict::word(model).filter(|_| told);
+    let (verdict, alarm) = verdict.map_or((String::new(), Style::new()), |(word, style)| {
+        (format!("  {word}"), style)
+    });
+    // The name and the verdict come before the speed, and that before the time.
+    let taken = 1 + columns(name) + columns(&verdict);
+    let clocks = [clock(model), time(model)].map(|clock| format!("  {clock} "));
+    let fits = |clock: &&String| taken + columns(&theme.text(clock)) <= area.width;
+    let clock = clocks.iter().find(fits).map_or("", String::as_str);
+    let room = area.width.saturating_sub(columns(&theme.text(clock)));
     let left = Rect {
         width: room,
         ..area
     };
-    let name = &model.preset.name;
-    let (facts, taken) = facts(model, room.saturating_sub(columns(name) + 1));
-    let spare = room.saturating_sub(columns(name) + 1 + taken);
+    let room = room.saturating_sub(columns(name) + 1 + columns(&verdict));
+    let (facts, taken) = facts(model, room);
+    let spare = room.saturating_sub(taken);
     // The program's name and the title give way to what is simulated.
     let (program, spare) = if spare >= 9 {
         (" beadlab  ", spare - 9)
@@ -50,9 +62,10 @@ pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
     line(theme, buffer, left, 0)
         .put(program, theme.quiet())
         .put(name, theme.strong())
+        .put(&verdict, alarm)
         .put(&title, Style::new())
         .put(&facts, Style::new());
-    line(theme, buffer, area, 0).right(&format!("{clock} "), theme.strong());
+    line(theme, buffer, area, 0).right(clock, theme.strong());
 }
 
 /// As many facts as fit, and the columns they take.
@@ -100,26 +113,29 @@ fn fact(model: &Model, parameter: &Parameter) -> Option<String> {
     })
 }
 
+/// Simulated time.
+fn time(model: &Model) -> String {
+    let time = numbers::clock(model.numbers.time, model.page.sweep.span);
+    format!("t {time}")
+}
+
 /// Simulated time, and how fast it goes.
 fn clock(model: &Model) -> String {
-    let time = numbers::clock(model.numbers.time, model.page.sweep.span);
+    let time = time(model);
     let asked = speed_text(model.speed.factor());
     let glyph = |unicode, ascii| model.theme.symbol(unicode, ascii);
     if model.held {
         let what = if model.is_over() { "over" } else { "page full" };
-        return format!("t {time}  {} {what}", glyph("■", "#"));
+        return format!("{time}  {} {what}", glyph("■", "#"));
     }
     if model.paused {
-        return format!("t {time}  {} paused, {asked}", glyph("‖", "="));
+        return format!("{time}  {} paused, {asked}", glyph("‖", "="));
     }
     let play = glyph("▶", ">");
     match model.numbers.achieved {
         Some(got) if (got / model.speed.factor() - 1.0).abs() > SAME => {
-            format!(
-                "t {time}  {play} {asked} asked, {} reached",
-                speed_text(got)
-            )
+            format!("{time}  {play} {asked} asked, {} reached", speed_text(got))
         }
-        _ => format!("t {time}  {play} {asked} real time"),
+        _ => format!("{time}  {play} {asked} real time"),
     }
 }

@@ -6,7 +6,7 @@ use ratatui::style::Style;
 use ratatui::widgets::{Clear, Widget};
 
 use super::rules;
-use super::text::{line, wrapped};
+use super::text::{columns, line, wrapped};
 use crate::tui::keys::BINDINGS;
 use crate::tui::model::Model;
 
@@ -41,16 +41,32 @@ const TERMS: &[(&str, &str)] = &[
         "the part of the kinetic energy that is motion of the beads against each other: 0 for a column that moves as one.",
     ),
     (
-        "σ landing",
-        "mean separation of the beads over their speed as they arrive at the floor, in contact times; below it the lowest of the last ten plate periods. σ ≪ 1: contacts overlap in time, and little is lost.",
+        "E",
+        "kinetic energy of the beads for the mass of one, on an axis of powers of ten, as E_r/E is.",
+    ),
+    (
+        "•",
+        "at the right edge of the beads: the bead touches the one below, or the plate. The beads beside a trace are drawn where they are now.",
+    ),
+    (
+        "gap×",
+        "gaps between beads are drawn on so many times the scale of the beads: 0.5 is half as large, 100 shows gaps that would not be seen.",
+    ),
+    (
+        "time",
+        "a page is filled from left to right. What stands right of the pen (now) is the end of the page before, up to the time that is named there.",
     ),
     (
         "σ",
-        "mean free flight between two contacts of a pair, in contact times. A few long flights rule it.",
+        "mean free flight of the beads from contact to contact, in contact times t_c: at a landing their mean separation over their speed, over t_c. On a plate the lowest of the last ten periods stands first. Where σ is far below 1 a contact has not ended when the next begins: the energy runs through the column as a wave, in place of one collision after another, and hardly any is lost. So soft contacts (MD) are not to be trusted there. Hard spheres have no contact time.",
+    ),
+    (
+        "mean flight",
+        "or mean σ: mean time between two contacts of a pair over the last plate period, in contact times. A few long flights rule it, so that dense landings hardly show in it.",
     ),
     (
         "verdict",
-        "what soft contacts give from the start on against hard spheres, below it the quantity that parts them most: agreement within 5 %, detachment beyond a half (MD is not to be trusted), crossover between. It is the scene's, whatever is done to the running columns, and the same as in beadlab run.",
+        "what soft contacts give from the start on against hard spheres, below it the quantity that parts them most: agreement within 5 % (MD holds), detachment beyond a half (MD fails: it is not to be trusted), crossover between (MD strays). It is the scene's, whatever is done to the running columns, and the same as in beadlab run.",
     ),
     (
         "ε_eff",
@@ -78,8 +94,22 @@ const TERMS: &[(&str, &str)] = &[
     ),
 ];
 
-/// A line of the help: a word, and what it stands for.
-type Entry = (String, String);
+/// Its title, longest first.
+const TITLES: [&str; 3] = [
+    "help: any key goes back, arrows scroll",
+    "help: arrows scroll",
+    "help",
+];
+/// Columns before a text whose word stands above it.
+const INDENT: u16 = 2;
+
+/// A line of the help: a word, and what it stands for, from a column on.
+#[derive(Debug)]
+struct Entry {
+    word: String,
+    start: u16,
+    text: String,
+}
 
 /// Draws the help over the whole area, scrolled down by so many lines.
 pub fn render(model: &Model, scrolled: u16, area: Rect, buffer: &mut Buffer) {
@@ -93,12 +123,9 @@ pub fn render(model: &Model, scrolled: u16, area: Rect, buffer: &mut Buffer) {
         },
         buffer,
     );
-    rules::title(
-        theme,
-        "help: any key goes back, arrows scroll",
-        area,
-        buffer,
-    );
+    let room = area.width.saturating_sub(rules::TITLE);
+    let title = TITLES.iter().find(|title| columns(title) <= room);
+    rules::title(theme, title.unwrap_or(&""), area, buffer);
     let body = Rect {
         y: area.y.saturating_add(1),
         height: area.height.saturating_sub(1),
@@ -109,50 +136,113 @@ pub fn render(model: &Model, scrolled: u16, area: Rect, buffer: &mut Buffer) {
         .unwrap_or(u16::MAX)
         .saturating_sub(body.height);
     let shown = lines.iter().skip(usize::from(scrolled.min(last)));
-    for (row, (word, text)) in (0..body.height).zip(shown) {
-        let narrow = Rect {
-            width: WORD,
-            ..body
-        };
-        let rest = Rect {
-            x: body.x + WORD.min(body.width),
-            width: body.width.saturating_sub(WORD),
-            ..body
-        };
-        line(theme, buffer, narrow, row).put(&format!(" {word}"), theme.strong());
-        line(theme, buffer, rest, row).put(text, Style::new());
+    for (row, Entry { word, start, text }) in (0..body.height).zip(shown) {
+        line(theme, buffer, body, row)
+            .skip(1)
+            .put(word, theme.strong());
+        line(theme, buffer, body, row)
+            .skip(*start)
+            .put(text, Style::new());
     }
 }
 
-/// Columns for the word at the left.
-const WORD: u16 = 12;
+/// Narrower columns of texts are not worth a column of words beside them.
+const NARROWEST: u16 = 30;
+/// Columns between the words and what they stand for.
+const APART: u16 = 2;
 
+/// The lines of the help, for a screen of that width. Words too long for a column beside
+/// the texts have lines of their own.
 fn content(model: &Model, width: u16) -> Vec<Entry> {
-    let room = width.saturating_sub(WORD + 1).max(10);
+    let theme = model.theme;
     let preset = &model.preset;
+    let texts = [
+        (preset.name.as_str(), preset.caption.as_str()),
+        ("look for", &preset.look_for),
+        ("try next", &preset.try_next),
+    ];
+    let keys = BINDINGS.iter().filter_map(|binding| binding.help);
+    let parts = [texts.to_vec(), keys.collect(), TERMS.to_vec()];
+    let words = parts
+        .iter()
+        .flatten()
+        .map(|(word, _)| columns(&theme.text(word)));
+    let most = width.saturating_sub(NARROWEST);
+    let longest = words
+        .map(|word| 1 + word + APART)
+        .filter(|taken| *taken <= most);
+    let beside = longest.max().unwrap_or(INDENT);
+    let room = width.saturating_sub(beside + 1).max(1);
     let mut lines = Vec::new();
-    let mut add = |word: &str, text: &str| {
-        for (k, text) in wrapped(text, room).into_iter().enumerate() {
-            lines.push((
-                if k == 0 {
-                    word.to_owned()
-                } else {
-                    String::new()
-                },
-                text,
-            ));
+    let mut add = |word: String, start: u16, text: String| lines.push(Entry { word, start, text });
+    for (k, part) in parts.iter().enumerate() {
+        if k > 0 {
+            add(String::new(), 0, String::new());
         }
-    };
-    add(&preset.name, &preset.caption);
-    add("look for", &preset.look_for);
-    add("try next", &preset.try_next);
-    add("", "");
-    for (keys, what) in BINDINGS.iter().filter_map(|binding| binding.help) {
-        add(keys, what);
-    }
-    add("", "");
-    for (term, what) in TERMS {
-        add(term, what);
+        for (word, text) in part {
+            let mut word = theme.text(word).into_owned();
+            if 1 + columns(&word) + APART > beside {
+                add(std::mem::take(&mut word), 0, String::new());
+            }
+            for text in wrapped(&theme.text(text), room) {
+                add(std::mem::take(&mut word), beside, text);
+            }
+        }
     }
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Preset;
+    use crate::scene::preset::embedded;
+    use crate::tui::theme::Theme;
+
+    /// Words and texts never touch, and no text is cut, at any width that a word has room in.
+    #[test]
+    fn columns_do_not_touch_and_nothing_is_cut() {
+        for (name, _) in embedded() {
+            for (width, ascii) in [
+                (200, false),
+                (80, false),
+                (80, true),
+                (60, true),
+                (40, false),
+                (24, true),
+            ] {
+                let theme = Theme {
+                    ascii,
+                    colour: false,
+                };
+                let preset = Preset::load(name).expect("an embedded preset");
+                let (model, _) = Model::new(preset, None, theme, (width, 24)).expect("a twin");
+                let lines = content(&model, width);
+                assert!(lines.iter().any(|line| line.word == *name));
+                for Entry { word, start, text } in &lines {
+                    let apart =
+                        word.is_empty() || text.is_empty() || 1 + columns(word) + 2 <= *start;
+                    assert!(apart, "{width}: {word} {text}");
+                    assert!(start + columns(text) <= width, "{width}: {text}");
+                    assert!(1 + columns(word) <= width, "{width}: {word}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn words_stand_beside_their_texts_at_80_columns() {
+        let preset = Preset::load("inelastic-ball").expect("an embedded preset");
+        let theme = Theme {
+            ascii: false,
+            colour: false,
+        };
+        let (model, _) = Model::new(preset, None, theme, (80, 24)).expect("a scene");
+        let lines = content(&model, 80);
+        assert!(
+            lines
+                .iter()
+                .all(|line| line.word.is_empty() || !line.text.is_empty())
+        );
+    }
 }

@@ -6,12 +6,14 @@ use ratatui::style::Style;
 use ratatui::widgets::{Clear, Widget};
 
 use super::rules;
-use super::text::{fitted, line, wrapped};
+use super::text::{fitted, line};
 use crate::scene::Preset;
+use crate::tui::caption::{Turn, texts, turns};
 use crate::tui::model::{Menu, Model};
+use crate::tui::theme::Theme;
 
 /// Rows for the texts of the selected preset.
-const TEXTS: u16 = 8;
+const TEXTS: u16 = 10;
 /// Columns of the names.
 const NAMES: u16 = 15;
 
@@ -70,26 +72,57 @@ pub fn render(model: &Model, menu: &Menu, area: Rect, buffer: &mut Buffer) {
 /// Draws caption, what to look for and what to try next, as far as there is room.
 pub fn render_texts(model: &Model, preset: &Preset, area: Rect, buffer: &mut Buffer) {
     let theme = model.theme;
-    let parts = [
-        ("", &preset.caption),
-        ("look for: ", &preset.look_for),
-        ("try next: ", &preset.try_next),
-    ];
     let mut row = 0;
-    for (word, text) in parts {
-        let text = format!("{word}{text}");
-        let lines = wrapped(&theme.text(&text), area.width.saturating_sub(2));
-        for (k, text) in lines.iter().enumerate() {
-            let (head, tail) = text.split_at(if k == 0 {
-                word.len().min(text.len())
-            } else {
-                0
-            });
-            line(theme, buffer, area, row)
-                .skip(1)
-                .put(head, theme.strong())
-                .put(tail, Style::new());
-            row += 1;
+    for Turn { label, lines } in turns(theme, &texts(preset), text_width(area), u16::MAX) {
+        render_turn(theme, &label, &lines, area, row, buffer);
+        row += u16::try_from(lines.len()).unwrap_or(u16::MAX);
+    }
+}
+
+/// Columns for texts in an area.
+pub fn text_width(area: Rect) -> u16 {
+    area.width.saturating_sub(2)
+}
+
+/// Draws lines from a row of the area on, the label that they begin with in bold.
+pub fn render_turn(
+    theme: Theme,
+    label: &str,
+    lines: &[String],
+    area: Rect,
+    first: u16,
+    buffer: &mut Buffer,
+) {
+    for (row, text) in (first..).zip(lines) {
+        let label = if row == first { label } else { "" };
+        let (head, tail) = text.split_at(label.len().min(text.len()));
+        line(theme, buffer, area, row)
+            .skip(1)
+            .put(head, theme.strong())
+            .put(tail, Style::new());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::preset::embedded;
+
+    /// What to try next shows, on the list and on screens that have the texts.
+    #[test]
+    fn all_texts_have_room_at_80_by_24() {
+        let theme = Theme {
+            ascii: false,
+            colour: false,
+        };
+        let width = text_width(Rect::new(0, 0, 80, 23));
+        for (name, _) in embedded() {
+            let preset = Preset::load(name).expect("an embedded preset");
+            let turns = turns(theme, &texts(&preset), width, u16::MAX);
+            let lines: usize = turns.iter().map(|turn| turn.lines.len()).sum();
+            assert!(lines < usize::from(TEXTS), "{name}: {lines}");
+            let labels = turns.iter().map(|turn| turn.label.as_str());
+            assert_eq!(labels.collect::<Vec<_>>(), ["", "look for: ", "try next: "]);
         }
     }
 }

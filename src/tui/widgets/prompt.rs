@@ -21,7 +21,13 @@ pub fn render(model: &Model, prompt: &Prompt, layout: &Layout, buffer: &mut Buff
         height: screen.height.min(1),
         ..screen
     };
-    let places = [layout.message, layout.keys];
+    let messages = layout.message;
+    let message = Rect {
+        y: messages.bottom().saturating_sub(1),
+        height: messages.height.min(1),
+        ..messages
+    };
+    let places = [message, layout.keys];
     let place = places.into_iter().find(|place| !place.is_empty());
     let place = place.unwrap_or(last);
     Clear.render(place, buffer);

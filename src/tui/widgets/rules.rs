@@ -40,6 +40,9 @@ fn symbol(buffer: &Buffer, x: u16, y: u16) -> &str {
     buffer.cell((x, y)).map_or("", |cell| cell.symbol())
 }
 
+/// Columns that a title takes besides its text.
+pub const TITLE: u16 = 3;
+
 /// Writes a title into a rule.
 pub fn title(theme: Theme, text: &str, area: Rect, buffer: &mut Buffer) {
     line(theme, buffer, area, 0)

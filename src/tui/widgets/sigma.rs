@@ -1,4 +1,4 @@
-//! σ, the verdict on soft contacts, and ε_eff of the last bounce.
+//! σ in words, the verdict on soft contacts, and ε_eff of the last bounce.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -6,58 +6,30 @@ use ratatui::style::Style;
 
 use super::details;
 use super::text::{columns, line, wrapped};
+use super::verdict::{Pieces, compared, decisive, in_words, relative};
 use crate::scene::Law;
-use crate::study::verdict::Word;
 use crate::tui::model::Model;
 use crate::tui::numbers;
-use crate::tui::theme::Theme;
 
 /// Lines for why there is no verdict.
 const WHY: usize = 2;
+/// σ below which contacts overlap in time, and above which they are pairs'.
+const CROWDED: (f64, f64) = (0.3, 3.0);
 
-fn style(word: Word, theme: Theme) -> Style {
-    match word {
-        Word::Detachment => theme.alarm(),
-        Word::Crossover => theme.strong(),
-        Word::Agreement => theme.good(),
-    }
+/// A line of the panel. Low panels leave out those of the highest rank.
+struct Said {
+    rank: u8,
+    pieces: Pieces,
 }
 
-/// The verdict, and the numbers that decide it or why there is none.
-fn verdict(model: &Model, width: u16) -> Vec<Pieces> {
-    let theme = model.theme;
-    let Some(verdict) = model.verdict() else {
-        return vec![vec![(" no verdict yet".to_owned(), theme.quiet())]];
-    };
-    let mut lines: Vec<Pieces> = Vec::new();
-    if let Some(word) = verdict.word {
-        lines.push(vec![(format!(" {}", word.as_str()), style(word, theme))]);
+/// Draws the panel: σ and what it compares, the verdict, each ε_eff, and what else there is
+/// room for. E_r/E stands here where its history does not stand on the screen.
+pub fn render(model: &Model, area: Rect, with_history: bool, buffer: &mut Buffer) {
+    if area.is_empty() {
+        return;
     }
-    match (verdict.word, verdict.decisive) {
-        (Some(_), Some(seen)) => lines.push(vec![
-            (format!(" {} ", seen.symbol), Style::new()),
-            (numbers::short(seen.soft), theme.side(0)),
-            ("/".to_owned(), Style::new()),
-            (numbers::short(seen.hard), theme.side(1)),
-        ]),
-        (Some(_), None) => lines.push(vec![(" by σ alone".to_owned(), theme.quiet())]),
-        (None, _) => {
-            let why = wrapped(&verdict.because, width.saturating_sub(1));
-            let why = why.into_iter().take(WHY);
-            lines.extend(why.map(|words| vec![(format!(" {words}"), theme.quiet())]));
-        }
-    }
-    lines
-}
-
-/// A line of the panel, piece by piece.
-type Pieces = Vec<(String, Style)>;
-
-/// Draws the panel: σ of the landings, the verdict, each ε_eff, and what else there is
-/// room for.
-pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
     let mut row = 0;
-    for pieces in lines(model, area.width) {
+    for pieces in shown(lines(model, area.width, with_history), area.height) {
         let mut line = line(model.theme, buffer, area, row);
         for (text, style) in pieces {
             // Pieces are words of a known length, or numbers.
@@ -73,57 +45,133 @@ pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
     details::render(model, rest, buffer);
 }
 
-fn lines(model: &Model, width: u16) -> Vec<Pieces> {
+/// The most needed lines, as many as there are rows, in their order.
+fn shown(lines: Vec<Said>, rows: u16) -> impl Iterator<Item = Pieces> {
+    let mut ranks: Vec<u8> = lines.iter().map(|line| line.rank).collect();
+    ranks.sort_unstable();
+    let last = ranks.get(usize::from(rows.max(1)) - 1).copied();
+    let needed = move |line: &Said| last.is_none_or(|last| line.rank <= last);
+    lines.into_iter().filter(needed).map(|line| line.pieces)
+}
+
+fn lines(model: &Model, width: u16, with_history: bool) -> Vec<Said> {
     let theme = model.theme;
-    let quantity = |side: Option<usize>, name: &str, value: Option<f64>| -> Pieces {
-        let label = side.map(|index| (model.label(index).to_owned(), theme.side(index)));
-        let value = value.map_or_else(|| "-".to_owned(), numbers::short);
-        label
-            .into_iter()
-            .chain([(name.to_owned(), Style::new()), (value, theme.strong())])
-            .collect()
+    let mut lines: Vec<Said> = Vec::new();
+    let mut say = |rank: u8, pieces: Pieces| lines.push(Said { rank, pieces });
+    // The longest of some words that has room.
+    let fitting = |words: &[&str], taken: &str| -> String {
+        let room = width.saturating_sub(columns(&theme.text(taken)));
+        let fits = |word: &&&str| columns(&theme.text(word)) <= room;
+        words
+            .iter()
+            .find(fits)
+            .map_or(String::new(), |word| (*word).to_owned())
     };
-    let first = model.numbers.sides.first();
-    let landing = first.and_then(|side| model.landing(side));
-    let densest = first.and_then(|side| model.densest(side));
     let scene = &model.bench.scenes()[0];
-    let nominal = scene.sigma0();
-    let means: Vec<Option<f64>> = model
-        .numbers
-        .sides
-        .iter()
-        .map(|side| model.sigma(side))
-        .collect();
-    let mut lines: Vec<Pieces> = Vec::new();
-    match (landing, nominal) {
-        (Some(_), _) => lines.push(quantity(None, "σ landing ", landing)),
-        (None, Some(_)) => lines.push(quantity(None, "σ_0 ", nominal)),
-        (None, None) => {}
+    let side = model.numbers.sides.first();
+    let landing = side.and_then(|side| model.landing(side));
+    let densest = side.and_then(|side| model.densest(side));
+    let densest = densest.filter(|_| scene.period().is_some());
+    let (value, of): (_, &[&str]) = match (densest.or(landing), scene.sigma0()) {
+        (Some(_), _) if densest.is_some() => (
+            densest,
+            &[", lowest of ten periods", ", lowest lately", ", lowest"],
+        ),
+        (Some(landing), _) => (Some(landing), &[" at this landing", ", landing"]),
+        (None, Some(start)) => (Some(start), &[" at the start", ", start"]),
+        (None, None) => (None, &[" no landing yet", " -"]),
+    };
+    let number = value.map_or(String::new(), |value| format!(" {}", numbers::short(value)));
+    let of = fitting(of, &format!("σ{number}"));
+    say(
+        2,
+        vec![
+            ("σ".to_owned(), Style::new()),
+            (number, theme.strong()),
+            (of, theme.quiet()),
+        ],
+    );
+    let what = ["= free flight / contact time t_c", "= free flight / t_c"];
+    say(5, vec![(fitting(&what, ""), theme.quiet())]);
+    if let Some(value) = value {
+        say(4, vec![(fitting(told(value), ""), theme.quiet())]);
     }
-    if scene.period().is_some() && landing.is_some_and(f64::is_finite) {
-        lines.push(quantity(None, " lowest ", densest));
-    }
-    lines.extend(verdict(model, width));
-    for (index, side) in model.numbers.sides.iter().enumerate() {
-        lines.push(quantity(Some(index), " ε_eff ", side.seen.bounce));
-    }
-    // By the t_c of MD, also of the flights of ED.
-    let mut last = vec![("mean σ".to_owned(), Style::new())];
-    for (index, mean) in means.into_iter().enumerate() {
-        last.push((if index == 0 { " " } else { "/" }.to_owned(), Style::new()));
-        let mean = mean.map_or_else(|| "-".to_owned(), numbers::short);
-        last.push((mean, theme.side(index)));
-    }
-    lines.push(last);
     // Under a power law t_c depends on the speed: say which one σ is taken with.
     if let (Some(Law::Power(_)), Some(contact_time)) = (scene.law(), scene.contact_time()) {
         let speed = numbers::short(scene.own_speed());
         let time = numbers::with_unit(contact_time, "s");
-        let mut words = format!(" t_c {time} at {speed} m/s");
-        if columns(&words) > width {
-            words = format!(" t_c {time}");
-        }
-        lines.push(vec![(words, theme.quiet())]);
+        let words = [format!("t_c {time} at {speed} m/s"), format!("t_c {time}")];
+        say(
+            6,
+            vec![(fitting(&[&words[0], &words[1]], ""), theme.quiet())],
+        );
     }
+    match in_words(model) {
+        Ok(words) => say(0, vec![words]),
+        Err(why) => {
+            let why = wrapped(&theme.text(&why), width).into_iter().take(WHY);
+            why.for_each(|words| say(0, vec![(words, theme.quiet())]));
+        }
+    }
+    decisive(model, width)
+        .into_iter()
+        .for_each(|pieces| say(1, pieces));
+    let now = relative(model, width).filter(|_| !with_history);
+    now.into_iter().for_each(|pieces| say(1, pieces));
+    let each = |value: fn(&Model, &crate::live::Side) -> Option<f64>| -> Vec<(&str, String)> {
+        let sides = model.numbers.sides.iter().enumerate();
+        sides
+            .map(|(index, side)| {
+                let value = value(model, side).map_or_else(|| "-".to_owned(), numbers::short);
+                (model.label(index), value)
+            })
+            .collect()
+    };
+    let bounces = each(|_, side| side.seen.bounce);
+    say(3, compared(theme, &["ε_eff".to_owned()], &bounces, width));
+    if let (Some(_), Some(landing)) = (densest, landing) {
+        let number = numbers::short(landing);
+        let words = fitting(&["last landing σ ", "landing σ ", "σ "], &number);
+        say(7, vec![(words, Style::new()), (number, theme.strong())]);
+    }
+    // By the t_c of MD, also of the flights of ED.
+    let names = ["mean flight / t_c".to_owned(), "mean σ".to_owned()];
+    say(8, compared(theme, &names, &each(Model::sigma), width));
     lines
+}
+
+/// What such a σ means, longest first.
+fn told(sigma: f64) -> &'static [&'static str] {
+    match sigma {
+        _ if sigma == f64::INFINITY => &["contacts take no time"],
+        _ if sigma < CROWDED.0 => &[
+            "< 1: contacts overlap, little is lost",
+            "< 1: contacts overlap",
+            "contacts overlap",
+        ],
+        _ if sigma <= CROWDED.1 => &["near 1: contacts begin to overlap", "near 1: some overlap"],
+        _ => &["> 1: one contact after another", "> 1: pairs collide"],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn low_panels_keep_the_most_needed_lines_in_their_order() {
+        let line = |rank| Said {
+            rank,
+            pieces: vec![(rank.to_string(), Style::new())],
+        };
+        let kept = |rows| -> String {
+            let lines = [2, 5, 4, 0, 1, 3].map(line).into();
+            shown(lines, rows)
+                .map(|pieces| pieces[0].0.clone())
+                .collect()
+        };
+        assert_eq!(kept(1), "0");
+        assert_eq!(kept(3), "201");
+        assert_eq!(kept(9), "254013");
+    }
 }

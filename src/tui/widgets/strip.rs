@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::raster::Raster;
 use super::rules;
-use super::text::line;
+use super::text::{columns, line};
 use super::trace::clear;
 use crate::live::Row;
 use crate::math;
@@ -29,10 +29,20 @@ const DECADES: f64 = 4.0;
 const ROUNDING: f64 = 1e-28;
 
 impl Quantity {
-    fn title(self) -> &'static str {
+    /// Its name, longest first.
+    fn titles(self) -> &'static [&'static str] {
         match self {
-            Quantity::Kinetic => "E",
-            Quantity::Relative => "E_r/E",
+            Quantity::Kinetic => &[
+                "kinetic energy E per mass, m²/s²",
+                "kinetic energy E",
+                "energy E",
+                "E",
+            ],
+            Quantity::Relative => &[
+                "E_r/E: relative motion's part of E",
+                "E_r/E relative part",
+                "E_r/E",
+            ],
         }
     }
 
@@ -87,7 +97,12 @@ pub fn render(model: &Model, quantity: Quantity, area: Rect, buffer: &mut Buffer
         height: 1,
         ..area
     };
-    rules::title(model.theme, quantity.title(), above, buffer);
+    let room = above.width.saturating_sub(rules::TITLE);
+    let mut titles = quantity.titles().iter();
+    let fits = |title: &&&str| columns(&model.theme.text(title)) <= room;
+    if let Some(title) = titles.find(fits) {
+        rules::title(model.theme, title, above, buffer);
+    }
     draw(model, quantity, top, graph, buffer);
     label_axis(model, top, graph, buffer);
     for (index, side) in model.numbers.sides.iter().enumerate() {

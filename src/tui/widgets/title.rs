@@ -11,7 +11,7 @@ use crate::tui::numbers::scientific;
 
 /// Draws the title into the rule above the trace. Where there is no room for all of it
 /// the drift loses a digit, then the law goes, which the first line of the screen names
-/// too, then the method loses its numbers.
+/// too, then the method loses its numbers, then the drift goes, then the method.
 pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
     let (Some(scene), theme) = (model.bench.scenes().get(index), model.theme) else {
         return;
@@ -43,9 +43,16 @@ pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
     let drifts = drifts.unwrap_or_default();
     let fitting = methods
         .iter()
-        .flat_map(|method| drifts.iter().map(move |drift| (method, drift)))
+        .flat_map(|method| {
+            drifts
+                .iter()
+                .map(move |drift| (method.as_str(), drift.as_str()))
+        })
+        .chain([(methods[2].as_str(), "")])
         .find(|(method, drift)| wide(method, drift) <= room);
-    let (method, drift) = fitting.unwrap_or((&methods[2], &drifts[1]));
+    let Some((method, drift)) = fitting else {
+        return;
+    };
     title
         .put(&format!("  {method} "), theme.quiet())
         .right(drift, theme.quiet());
