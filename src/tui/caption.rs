@@ -279,9 +279,10 @@ mod tests {
         let start = Instant::now();
         let mut reading = Reading::default();
         let mut seen = vec![0u32; turns.len()];
-        let frames = all * 10.0;
-        for k in 0..=(2.0 * frames) as u32 {
-            reading.go_on(start + Duration::from_millis(100) * k);
+        let mut now = start;
+        while (now - start).as_secs_f64() <= 2.0 * all {
+            reading.go_on(now);
+            now += Duration::from_millis(100);
             let due = reading.due(&turns).expect("a turn");
             let index = turns
                 .iter()

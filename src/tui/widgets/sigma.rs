@@ -113,11 +113,10 @@ fn lines(model: &Model, width: u16, with_history: bool) -> Vec<Said> {
             why.for_each(|words| say(0, vec![(words, theme.quiet())]));
         }
     }
-    decisive(model, width)
-        .into_iter()
-        .for_each(|pieces| say(1, pieces));
     let now = relative(model, width).filter(|_| !with_history);
-    now.into_iter().for_each(|pieces| say(1, pieces));
+    for pieces in decisive(model, width).into_iter().chain(now) {
+        say(1, pieces);
+    }
     let each = |value: fn(&Model, &crate::live::Side) -> Option<f64>| -> Vec<(&str, String)> {
         let sides = model.numbers.sides.iter().enumerate();
         sides
