@@ -136,7 +136,7 @@ fn torment(seed: u64, count: usize, leave: &str) {
     session.type_keys(leave);
     assert_eq!(session.wait_for_end().code(), Some(0), "seed {seed}");
     let took = start.elapsed();
-    assert!(took < Duration::from_secs(4), "seed {seed}: {took:?}");
+    assert!(took < Duration::from_secs(8), "seed {seed}: {took:?}");
 }
 
 #[test]

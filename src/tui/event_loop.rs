@@ -63,6 +63,7 @@ const RETRY: Duration = Duration::from_millis(20);
 enum Wake {
     Input(Event),
     InputClosed,
+    Leave,
     Signal(Signal),
     Receipt,
     Frame(Box<Frame>),
@@ -121,6 +122,7 @@ impl<B: Backend> EventLoop<'_, B> {
                     None
                 }
                 Wake::Input(event) => self.on_input(event),
+                Wake::Leave => return Ok(Ending::Quit),
                 Wake::InputClosed => return Ok(Ending::Signal(HANGUP)),
                 Wake::Signal(Signal::End(number)) => return Ok(Ending::Signal(number)),
                 Wake::Signal(Signal::Resized) => {
@@ -189,6 +191,7 @@ impl<B: Backend> EventLoop<'_, B> {
         let receipts = &self.wires.heard.receipts;
         select! {
             recv(self.wires.heard.events) -> event => event.map_or(Wake::InputClosed, Wake::Input),
+            recv(self.wires.heard.leave) -> left => left.map_or(Wake::InputClosed, |()| Wake::Leave),
             recv(receipts) -> receipt => receipt.map_or(Wake::InputClosed, |()| Wake::Receipt),
             recv(self.wires.signals) -> signal => signal.map_or(Wake::Timer, Wake::Signal),
             recv(frames) -> frame => frame.map_or(Wake::FramesClosed, |frame| Wake::Frame(Box::new(frame))),

@@ -10,6 +10,8 @@ use std::time::Instant;
 use crossbeam_channel::{Receiver, Sender, bounded, unbounded};
 use crossterm::event::Event;
 
+use super::keys;
+
 /// Keys that wait for a busy screen: more than anybody types, since what is not read has no
 /// time, by which an Esc alone is told from a sequence, and the end of a paste.
 const KEYS: usize = 1 << 16;
@@ -21,6 +23,8 @@ pub struct Heard {
     pub events: Receiver<Event>,
     /// Answers to the question how the terminal is.
     pub receipts: Receiver<()>,
+    /// Ctrl-C, which does not wait for the keys before it.
+    pub leave: Receiver<()>,
 }
 
 /// Listens to the terminal in a thread of its own.
@@ -30,19 +34,21 @@ pub struct Heard {
 pub fn listen() -> io::Result<Heard> {
     let (events, heard) = bounded(KEYS);
     let (receipts, given) = unbounded();
+    let (leave, left) = unbounded();
     thread::Builder::new()
         .name("input".into())
-        .spawn(move || read(&events, &receipts))?;
+        .spawn(move || read(&events, &receipts, &leave))?;
     Ok(Heard {
         events: heard,
         receipts: given,
+        leave: left,
     })
 }
 
 /// Reads until the terminal or the screen thread has gone. The question whether there is
 /// something to read is asked each time anew, so that no wake-up can be missed.
 #[cfg(unix)]
-fn read(events: &Sender<Event>, receipts: &Sender<()>) {
+fn read(events: &Sender<Event>, receipts: &Sender<()>, leave: &Sender<()>) {
     use parser::{Parser, Said};
     use rustix::event::{PollFd, PollFlags, Timespec, poll};
     use rustix::io::Errno;
@@ -72,6 +78,7 @@ fn read(events: &Sender<Event>, receipts: &Sender<()>) {
         };
         for said in said {
             let sent = match said {
+                Said::Event(event) if keys::is_ctrl_c(&event) => leave.send(()).is_ok(),
                 Said::Event(event) => events.send(event).is_ok(),
                 Said::Receipt => receipts.send(()).is_ok(),
             };
@@ -83,9 +90,14 @@ fn read(events: &Sender<Event>, receipts: &Sender<()>) {
 }
 
 #[cfg(not(unix))]
-fn read(events: &Sender<Event>, _receipts: &Sender<()>) {
+fn read(events: &Sender<Event>, _receipts: &Sender<()>, leave: &Sender<()>) {
     while let Ok(event) = crossterm::event::read() {
-        if events.send(event).is_err() {
+        let sent = if keys::is_ctrl_c(&event) {
+            leave.send(()).is_ok()
+        } else {
+            events.send(event).is_ok()
+        };
+        if !sent {
             return;
         }
     }

@@ -1,6 +1,6 @@
 //! Keys: one table, read by the loop, by the line at the bottom and by the help.
 
-use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 /// What a key asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -233,6 +233,13 @@ pub fn action(key: KeyEvent) -> Option<Action> {
         },
         other => other,
     })
+}
+
+/// Whether it is the key that leaves from everywhere.
+pub fn is_ctrl_c(event: &Event) -> bool {
+    matches!(event, Event::Key(key) if key.code == Char('c')
+        && key.modifiers == KeyModifiers::CONTROL
+        && key.kind != KeyEventKind::Release)
 }
 
 /// The keys of a parameter, for the panel: `e/E`.

@@ -2,15 +2,17 @@
 //! typed by a script, and engines that misbehave on purpose.
 #![allow(dead_code, reason = "each test file uses a part")]
 
+use std::ops::ControlFlow;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use beadlab::live::{self, Build, Frame, Live, Order, Sweep};
 use beadlab::physics::{self, Engine, EngineError, Handover, Observation, Outcome, State};
 use beadlab::scene::{Preset, Scene};
+use beadlab::study::verdict::verdict;
 use beadlab::tui::event_loop::{Ending, EventLoop, Stage, Wires};
 use beadlab::tui::input::Heard;
-use beadlab::tui::judge;
+use beadlab::tui::judge::Judge;
 use beadlab::tui::link::Link;
 use beadlab::tui::model::Model;
 use beadlab::tui::outbox::{Outbox, Question};
@@ -100,10 +102,11 @@ pub fn play_preset(
         heard: Heard {
             events: input,
             receipts: never(),
+            leave: never(),
         },
         signals,
         live,
-        judge: judge::spawn().expect("threads are to be had"),
+        judge: eager_judge(),
     };
     let typist = thread::spawn(move || run_script(&keys, script));
     let ended = EventLoop {
@@ -119,6 +122,30 @@ pub fn play_preset(
     typist.join().expect("the typist does not panic");
     assert_eq!(ended, Ending::Quit);
     rows(terminal.backend(), size)
+}
+
+/// A judge that does not rest: nobody looks at the columns meanwhile.
+fn eager_judge() -> Judge {
+    let (scenes, inbox) = unbounded::<Scene>();
+    let (outlet, verdicts) = unbounded();
+    thread::spawn(move || {
+        while let Ok(scene) = inbox.recv() {
+            let scene = inbox.try_iter().last().unwrap_or(scene);
+            let mut newer = |_: f64| {
+                if inbox.is_empty() {
+                    ControlFlow::Continue(())
+                } else {
+                    ControlFlow::Break(())
+                }
+            };
+            if let Ok(judged) = verdict(&scene, &mut newer)
+                && outlet.send((scene, judged)).is_err()
+            {
+                return;
+            }
+        }
+    });
+    Judge { scenes, verdicts }
 }
 
 fn run_script(keys: &Sender<Event>, script: Vec<Act>) {
