@@ -26,7 +26,8 @@ mod unix {
     use std::time::Duration;
 
     use crossbeam_channel::{Receiver, Sender, bounded};
-    use rustix::process::{getpgrp, getsid, kill_current_process_group};
+    use nix::unistd::{getpgrp, getsid};
+    use rustix::process::kill_current_process_group;
     use signal_hook::consts::{
         SIGABRT, SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1,
         SIGUSR2, SIGVTALRM, SIGWINCH, SIGXCPU, SIGXFSZ,
@@ -105,6 +106,8 @@ mod unix {
 
     /// Whether a shell looks after this job, and can have it go on once it has stopped. The
     /// group of the session's leader (`ssh -t host beadlab`, `xterm -e beadlab`) is nobody's job.
+    /// A leader or a group in another process namespace (a container's `unshare`, `nsenter`) has
+    /// the number 0 here: where both are there, nothing is known, and the answer is no.
     pub fn can_be_continued() -> bool {
         getsid(None).is_ok_and(|leader| leader != getpgrp())
     }
