@@ -9,7 +9,7 @@ mod prompt;
 mod room;
 mod scale;
 
-pub use bench::{Bench, Change, Check};
+pub use bench::{Bench, Change};
 pub use message::Message;
 pub(super) use overlay::moved;
 pub use overlay::{Menu, Overlay};

@@ -214,13 +214,11 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
 
 /// Exact runs in the shadow of soft columns, on or off; on again where one was given up.
 fn toggle_shadow(model: &mut Model, now: Instant) -> Command {
-    let checks = model.bench.checks();
-    let refused = checks
-        .iter()
-        .find_map(|check| check.reference.as_ref().err());
+    let references = model.bench.references();
+    let refused = references.iter().find_map(|one| one.as_ref().err());
     let refused = refused.cloned();
     let off = model.shadow && !model.is_shadow_given_up();
-    let none = checks.iter().all(|check| check.reference.is_err());
+    let none = references.iter().all(Result::is_err);
     model.shadow = !off && !none;
     if let Some(why) = refused.filter(|_| !off || none) {
         let whose = if none { "no error" } else { "MD only" };

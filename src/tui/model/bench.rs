@@ -1,6 +1,8 @@
 //! The scenes on the bench: the column and its twin, or a lattice and a column as high,
 //! and the edits of them.
 
+use std::cell::OnceCell;
+
 use crate::live::reference;
 use crate::physics::spectrum::too_few_steps;
 use crate::scene::parameters::{self, Parameter, Setting, Value, table};
@@ -27,16 +29,9 @@ pub struct Bench {
     /// Steps in a contact time, and the tolerance, last in force.
     steps: Option<f64>,
     tolerance: Option<f64>,
-    checks: Vec<Check>,
-}
-
-/// What a scene's numbers are worth.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Check {
-    /// The least steps in a contact time, where the scene has fewer.
-    pub least_steps: Option<f64>,
-    /// The scene to hold its results against, or why there is none.
-    pub reference: Result<Scene, String>,
+    references: Vec<Result<Scene, String>>,
+    /// Worked out when the screen asks: a held key edits more often than the screen is drawn.
+    least_steps: Vec<OnceCell<Option<f64>>>,
 }
 
 /// What an edit means for the running columns.
@@ -80,7 +75,8 @@ impl Bench {
             hard: None,
             steps: None,
             tolerance: None,
-            checks: Vec::new(),
+            references: Vec::new(),
+            least_steps: Vec::new(),
         };
         bench.settle();
         Ok(bench)
@@ -106,9 +102,14 @@ impl Bench {
         &self.scenes[..count]
     }
 
-    /// What the numbers of each scene are worth.
-    pub fn checks(&self) -> &[Check] {
-        &self.checks
+    /// The scene to hold each one's results against, or why there is none.
+    pub fn references(&self) -> &[Result<Scene, String>] {
+        &self.references
+    }
+
+    /// The least steps in a contact time, where the scene of that index has fewer.
+    pub fn least_steps(&self, index: usize) -> Option<f64> {
+        *self.least_steps[index].get_or_init(|| too_few_steps(&self.scenes[index]))
     }
 
     /// The contact time that σ is taken with, s: that of the soft contacts, or of
@@ -347,7 +348,7 @@ impl Bench {
         self.redo.clear();
     }
 
-    /// Remembers the methods in force, and checks the scenes.
+    /// Remembers the methods in force, and finds what the scenes are held against.
     fn settle(&mut self) {
         for scene in &self.scenes {
             let memory = if scene.is_md() {
@@ -371,11 +372,8 @@ impl Bench {
                 _ => {}
             }
         }
-        let check = |scene: &Scene| Check {
-            least_steps: too_few_steps(scene),
-            reference: reference(scene),
-        };
-        self.checks = self.scenes.iter().map(check).collect();
+        self.references = self.scenes.iter().map(reference).collect();
+        self.least_steps = vec![OnceCell::new(); self.scenes.len()];
     }
 
     /// What it takes to get from the present scenes to others.

@@ -28,13 +28,14 @@ impl Model {
     /// The lines that the screen has for the present scenes, beside the messages of the
     /// moment: what to beware of, and errors that were asked for.
     pub fn notices(&self) -> Vec<Notice> {
-        let checks = || self.bench.checks().iter().enumerate();
-        let coarse = checks().filter_map(|(side, check)| {
-            let least = check.least_steps?;
+        let sides = 0..self.bench.scenes().len();
+        let coarse = sides.filter_map(|side| {
+            let least = self.bench.least_steps(side)?;
             Some(Notice::TooFewSteps { side, least })
         });
-        let errors = checks()
-            .filter(|(_, check)| self.shadow && check.reference.is_ok())
+        let references = self.bench.references().iter().enumerate();
+        let errors = references
+            .filter(|(_, reference)| self.shadow && reference.is_ok())
             .map(|(side, _)| Notice::Error { side });
         coarse.chain(errors).collect()
     }

@@ -63,7 +63,7 @@ fn too_few(least: f64) -> Vec<String> {
 /// The error in words, longest first, and how they are written.
 fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
     let theme = model.theme;
-    let reference = model.bench.checks().get(side).map(|check| &check.reference);
+    let reference = model.bench.references().get(side);
     let against = match reference {
         Some(Ok(scene)) => match scene.method {
             Method::Md {
