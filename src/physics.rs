@@ -33,7 +33,7 @@ pub use linear_law::{LinearLaw, floor_restitution};
 pub use observation::{Discs, Energies, Energy, Integrals, Observation};
 pub use state::{Handover, State};
 
-use crate::scene::{Method, Scene, Solver};
+use crate::scene::{GridSettings, Method, Scene, Soft, Solver};
 
 /// Why an engine cannot go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -183,18 +183,18 @@ fn unsteered(scene: &Scene, state: State) -> Box<dyn Engine> {
         return lattice::build(scene, sites, state);
     }
     match scene.method {
-        Method::Md {
-            solver: Solver::Grid { .. },
+        Method::Soft(Soft {
+            solver: Solver::Grid(GridSettings { .. }),
             ..
-        } => md::build(scene, state),
-        Method::Md {
+        }) => md::build(scene, state),
+        Method::Soft(Soft {
             solver: Solver::Exact,
             ..
-        } => exact::build(scene, state),
-        Method::Md {
+        }) => exact::build(scene, state),
+        Method::Soft(Soft {
             solver: Solver::Adaptive { tolerance },
             ..
-        } => adaptive::build(scene, tolerance, state),
-        Method::Ed { .. } => ed::build(scene, state),
+        }) => adaptive::build(scene, tolerance, state),
+        Method::Hard(_) => ed::build(scene, state),
     }
 }

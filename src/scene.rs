@@ -29,16 +29,20 @@ use std::ops::Deref;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Start {
     /// All beads move alike, apart from each other.
-    Separated {
-        /// Separation s₀ between neighbours, and of bead 1 from the floor, m; ≥ 0.
-        s0: f64,
-        /// Shift every bead at random (seeded) by up to ±s₀/2, as in Fig. 2(a).
-        jitter: bool,
-        /// Common velocity v₀, m/s; negative towards the floor.
-        v0: f64,
-    },
+    Launched(Launch),
     /// At rest on the floor and moving with it, contacts in static equilibrium.
     Resting,
+}
+
+/// How a column is launched.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Launch {
+    /// Separation s₀ between neighbours, and of bead 1 from the floor, m; ≥ 0.
+    pub s0: f64,
+    /// Shift every bead at random (seeded) by up to ±s₀/2, as in Fig. 2(a).
+    pub jitter: bool,
+    /// Common velocity v₀, m/s; negative towards the floor.
+    pub v0: f64,
 }
 
 /// How the beads are arranged.
@@ -61,12 +65,16 @@ pub enum Floor {
     /// A floor that never moves.
     Fixed,
     /// A plate that moves as z₀(t) = A₀ sin(2πft), Eq. (1).
-    Vibrating {
-        /// Amplitude A₀, m.
-        amplitude: f64,
-        /// Frequency f, Hz.
-        frequency: f64,
-    },
+    Vibrating(Shake),
+}
+
+/// How a plate vibrates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shake {
+    /// Amplitude A₀, m.
+    pub amplitude: f64,
+    /// Frequency f, Hz.
+    pub frequency: f64,
 }
 
 /// What the contact of bead 1 with the floor shares with a contact of two beads.
@@ -92,12 +100,7 @@ pub enum Integrator {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Solver {
     /// On a fixed grid of time steps.
-    Grid {
-        /// The integrator.
-        integrator: Integrator,
-        /// Time steps in one contact time.
-        steps_per_contact: f64,
-    },
+    Grid(GridSettings),
     /// To rounding: contact changes are located, and between them the linear column is
     /// propagated as what it is, a linear system.
     Exact,
@@ -107,6 +110,15 @@ pub enum Solver {
         /// Local error of a step, relative to the motion of each contact.
         tolerance: f64,
     },
+}
+
+/// A fixed grid of time steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GridSettings {
+    /// The integrator.
+    pub integrator: Integrator,
+    /// Time steps in one contact time.
+    pub steps_per_contact: f64,
 }
 
 /// How collisions that happen very soon after one another lose energy (ED).
@@ -126,19 +138,20 @@ pub enum CollisionRule {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
     /// Soft contacts, molecular dynamics.
-    Md {
-        /// The force of a contact.
-        law: Law,
-        /// How their motion is computed.
-        solver: Solver,
-        /// Whether the short attractive end of a contact acts (the paper's law).
-        attraction: bool,
-    },
-    /// Hard collisions, event driven.
-    Ed {
-        /// Which collisions lose energy.
-        rule: CollisionRule,
-    },
+    Soft(Soft),
+    /// Hard collisions, event driven: which of them lose energy.
+    Hard(CollisionRule),
+}
+
+/// Soft contacts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Soft {
+    /// The force of a contact.
+    pub law: Law,
+    /// How their motion is computed.
+    pub solver: Solver,
+    /// Whether the short attractive end of a contact acts (the paper's law).
+    pub attraction: bool,
 }
 
 /// The facts of a scene, before they are checked.
@@ -189,10 +202,10 @@ impl Facts {
     pub fn alpha(&self) -> Option<f64> {
         match (self.floor, self.gravity) {
             (
-                Floor::Vibrating {
+                Floor::Vibrating(Shake {
                     amplitude,
                     frequency,
-                },
+                }),
                 Some(gravity),
             ) => Some(amplitude * math::powi(angular(frequency), 2) / gravity),
             _ => None,
@@ -204,44 +217,40 @@ impl Facts {
     /// Eq. (A2), by which steps are counted and σ is taken.
     pub fn contact_time(&self) -> Option<f64> {
         match self.method {
-            Method::Md {
+            Method::Soft(Soft {
                 law: Law::Hooke { contact_time },
                 ..
-            }
-            | Method::Ed {
-                rule: CollisionRule::Tc { contact_time },
-            } => Some(contact_time),
-            Method::Md {
+            })
+            | Method::Hard(CollisionRule::Tc { contact_time }) => Some(contact_time),
+            Method::Soft(Soft {
                 law: Law::Power(power),
                 ..
-            } => Some(power.contact_time(self.own_speed())),
-            Method::Ed {
-                rule: CollisionRule::Lrv,
-            } => None,
+            }) => Some(power.contact_time(self.own_speed())),
+            Method::Hard(CollisionRule::Lrv) => None,
         }
     }
 
     /// The law of soft contacts.
     pub fn law(&self) -> Option<Law> {
         match self.method {
-            Method::Md { law, .. } => Some(law),
-            Method::Ed { .. } => None,
+            Method::Soft(Soft { law, .. }) => Some(law),
+            Method::Hard(_) => None,
         }
     }
 
     /// The speed, m/s, at which the beads of this scene meet, roughly: |v₀| of a launched
     /// column, else the plate's largest speed, else that of a fall by a diameter, √(gd).
     pub fn own_speed(&self) -> f64 {
-        if let Start::Separated { v0, .. } = self.start
+        if let Start::Launched(Launch { v0, .. }) = self.start
             && v0 != 0.0
         {
             return v0.abs();
         }
         match self.floor {
-            Floor::Vibrating {
+            Floor::Vibrating(Shake {
                 amplitude,
                 frequency,
-            } if amplitude != 0.0 => amplitude * angular(frequency),
+            }) if amplitude != 0.0 => amplitude * angular(frequency),
             _ => (self.gravity.unwrap_or(f64::NAN) * self.diameter).sqrt(),
         }
     }
@@ -249,7 +258,7 @@ impl Facts {
     /// Nominal σ₀ = s₀/(|v₀| t_c) before a floor collision.
     pub fn sigma0(&self) -> Option<f64> {
         match self.start {
-            Start::Separated { s0, v0, .. } if v0 != 0.0 => {
+            Start::Launched(Launch { s0, v0, .. }) if v0 != 0.0 => {
                 Some(s0 / (v0.abs() * self.contact_time()?))
             }
             _ => None,
@@ -264,14 +273,14 @@ impl Facts {
     /// Period of the plate, s.
     pub fn period(&self) -> Option<f64> {
         match self.floor {
-            Floor::Vibrating { frequency, .. } => Some(1.0 / frequency),
+            Floor::Vibrating(Shake { frequency, .. }) => Some(1.0 / frequency),
             Floor::Fixed => None,
         }
     }
 
     /// Whether the beads move by soft contacts.
     pub fn is_md(&self) -> bool {
-        matches!(self.method, Method::Md { .. })
+        matches!(self.method, Method::Soft(Soft { .. }))
     }
 }
 

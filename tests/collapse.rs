@@ -8,7 +8,7 @@ mod double_double;
 mod support;
 
 use beadlab::physics::{Outcome, build};
-use beadlab::scene::{Facts, FloorContact, Scene, Start, diameters, initial_gaps};
+use beadlab::scene::{Facts, FloorContact, Launch, Scene, Start, diameters, initial_gaps};
 use dice::Dice;
 use double_double::Double;
 use support::{ED, fig1, look};
@@ -76,11 +76,11 @@ fn launched(n: usize, restitution: f64, s0: f64, v0: f64) -> Facts {
     Facts {
         n,
         restitution,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0,
             jitter: false,
             v0,
-        },
+        }),
         ..fig1(ED, s0)
     }
 }
@@ -92,7 +92,7 @@ fn end(facts: Facts, most: u64) -> Option<End> {
 
 /// The same, and how many collapses were closed on the way.
 fn end_and_closed(facts: Facts, most: u64) -> Option<(End, u64)> {
-    let Start::Separated { s0, v0, .. } = facts.start else {
+    let Start::Launched(Launch { s0, v0, .. }) = facts.start else {
         return None;
     };
     let scene = Scene::new(facts).expect("a valid scene");
@@ -138,7 +138,7 @@ fn the_reference_in_quadruple_precision() {
 /// the next collision, one after another.
 fn plainly(facts: &Facts, most: u64) -> Option<End> {
     let wide = Double::from;
-    let Start::Separated { v0, .. } = facts.start else {
+    let Start::Launched(Launch { v0, .. }) = facts.start else {
         return None;
     };
     let masses: Vec<Double> = diameters(facts)
@@ -252,11 +252,11 @@ fn column(dice: &mut Dice, most: usize, absorbed: f64, seed: u64) -> Facts {
         } else {
             FloorContact::SameRestitution
         },
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: 1e-6,
             jitter: dice.chance(0.5),
             v0: -0.2,
-        },
+        }),
         ..launched(n, 0.5, 1e-6, -0.2)
     }
 }
@@ -289,11 +289,11 @@ fn scale_invariance(columns: u64, longest: usize, seed: u64) {
     let mut ended = 0;
     for k in 0..columns {
         let facts = column(&mut dice, longest, 3.7, k);
-        let Start::Separated { jitter, .. } = facts.start else {
+        let Start::Launched(Launch { jitter, .. }) = facts.start else {
             continue;
         };
         let on = |(s0, v0): (f64, f64), most| {
-            let start = Start::Separated { s0, jitter, v0 };
+            let start = Start::Launched(Launch { s0, jitter, v0 });
             let facts = Facts {
                 start,
                 ..facts.clone()

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use beadlab::physics::{Engine, Outcome, State, build};
 use beadlab::scene::{
-    Exponents, Facts, Floor, Integrator, Law, Method, PowerLaw, Scene, Solver, angular,
+    Exponents, Facts, Floor, Integrator, Law, Method, PowerLaw, Scene, Shake, Soft, Solver, angular,
 };
 use support::{ED, G, INTEGRATORS, engine, exact, hard_scenes, look, run, shaken, soft};
 
@@ -65,26 +65,26 @@ fn edits_move_neither_beads_nor_plate() {
     for facts in [soft_facts, shaken(ED, 2.0)] {
         let engine = run(facts.clone(), 0.033);
         let before = look(&*engine);
-        let Floor::Vibrating {
+        let Floor::Vibrating(Shake {
             amplitude,
             frequency,
-        } = facts.floor
+        }) = facts.floor
         else {
             unreachable!("shaken")
         };
         let edited = [
             Facts {
-                floor: Floor::Vibrating {
+                floor: Floor::Vibrating(Shake {
                     amplitude: 1.5 * amplitude,
                     frequency,
-                },
+                }),
                 ..facts.clone()
             },
             Facts {
-                floor: Floor::Vibrating {
+                floor: Floor::Vibrating(Shake {
                     amplitude,
                     frequency: 2.0 * frequency,
-                },
+                }),
                 ..facts.clone()
             },
             Facts {
@@ -181,7 +181,7 @@ fn splitting_just_before_an_event_changes_no_bit() {
 
 /// Every kind of engine for a shaken column.
 fn methods() -> Vec<(&'static str, Method)> {
-    let power = Method::Md {
+    let power = Method::Soft(Soft {
         law: Law::Power(PowerLaw {
             exponents: Exponents::Taguchi,
             stiffness: 1e11,
@@ -189,7 +189,7 @@ fn methods() -> Vec<(&'static str, Method)> {
         }),
         solver: Solver::Adaptive { tolerance: 1e-9 },
         attraction: true,
-    };
+    });
     vec![
         ("ED", ED),
         ("Gear", soft(Integrator::Gear, 1e-4, 50.0)),
@@ -203,10 +203,10 @@ fn methods() -> Vec<(&'static str, Method)> {
 fn on_plate(facts: &Facts, alpha: f64, frequency: f64) -> Scene {
     let amplitude = alpha * G / angular(frequency).powi(2);
     Scene::new(Facts {
-        floor: Floor::Vibrating {
+        floor: Floor::Vibrating(Shake {
             amplitude,
             frequency,
-        },
+        }),
         ..facts.clone()
     })
     .expect("a valid scene")

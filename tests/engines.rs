@@ -3,7 +3,9 @@
 
 mod support;
 
-use beadlab::scene::{Facts, Floor, FloorContact, Integrator, Law, Method, Solver, Start};
+use beadlab::scene::{
+    Facts, Floor, FloorContact, GridSettings, Integrator, Launch, Law, Method, Soft, Solver, Start,
+};
 use support::{
     ED, G, INTEGRATORS, collide, engine, fig1, hard_scenes, look, md, rebound, run, shaken, soft,
 };
@@ -81,11 +83,11 @@ fn elastic_beads_conserve_energy() {
         restitution: 1.0,
         gravity: Some(G),
         duration: Some(1.0),
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: 1e-3,
             jitter: true,
             v0: -0.1,
-        },
+        }),
         ..fig1(ED, 0.0)
     };
     let start = look(&*engine(dropped.clone())).energy;
@@ -147,16 +149,16 @@ fn a_soft_bead_stays_in_contact_for_its_contact_time() {
 #[test]
 fn cutting_the_attraction_off_raises_the_rebound() {
     // DESIGN §1: 0.3415 becomes 0.3500 at σ = 7 (four digits; this converges to 0.35014).
-    let method = Method::Md {
+    let method = Method::Soft(Soft {
         law: Law::Hooke {
             contact_time: 0.7e-5,
         },
-        solver: Solver::Grid {
+        solver: Solver::Grid(GridSettings {
             integrator: Integrator::Verlet,
             steps_per_contact: 2000.0,
-        },
+        }),
         attraction: false,
-    };
+    });
     let (eps, _) = rebound(fig1(method, 1e-5));
     assert!((eps - 0.3500).abs() < 2e-4, "{eps}");
 }
@@ -242,11 +244,11 @@ fn too_few_steps_are_reported_not_shown() {
 fn soft_and_hard_agree_where_sigma_is_large() {
     // σ₀ = 1e3: every contact is a pair's own, t_c apart from all others.
     let facts = |method| Facts {
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: 1.4e-3,
             jitter: true,
             v0: -0.2,
-        },
+        }),
         ..fig1(method, 0.0)
     };
     let hard = rebound(facts(ED)).0;
@@ -273,11 +275,11 @@ fn overdamped_pairs_do_not_keep_a_collision_from_ending() {
 #[test]
 fn a_column_that_is_put_down_gently_is_no_failure() {
     // It has no energy at all at first, against which to measure an error.
-    let start = Start::Separated {
+    let start = Start::Launched(Launch {
         s0: 0.0,
         jitter: false,
         v0: 0.0,
-    };
+    });
     let facts = Facts {
         start,
         gravity: Some(G),

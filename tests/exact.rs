@@ -12,7 +12,7 @@ mod sampled_roots;
 mod support;
 
 use beadlab::physics::{Outcome, State, build};
-use beadlab::scene::{Facts, FloorContact, Law, Method, Scene, Solver, Start};
+use beadlab::scene::{Facts, FloorContact, Launch, Law, Method, Scene, Soft, Solver, Start};
 use beadlab::study::{Drive, PATTERNS, measure, sensitivity};
 use dice::Dice;
 use double_double::Double;
@@ -141,7 +141,7 @@ fn collision(dice: &mut Dice) -> Facts {
     Facts {
         n,
         restitution,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: if apart {
                 sigma0 * v0.abs() * contact_time
             } else {
@@ -149,7 +149,7 @@ fn collision(dice: &mut Dice) -> Facts {
             },
             jitter: dice.chance(0.25),
             v0,
-        },
+        }),
         width: if dice.chance(0.25) {
             1.5 * facts.diameter * dice.roll()
         } else {
@@ -160,11 +160,11 @@ fn collision(dice: &mut Dice) -> Facts {
         } else {
             FloorContact::SameSpring
         },
-        method: Method::Md {
+        method: Method::Soft(Soft {
             law: Law::Hooke { contact_time },
             solver: Solver::Exact,
             attraction: !dice.chance(0.15),
-        },
+        }),
         ..facts
     }
 }
@@ -174,10 +174,10 @@ fn describe(facts: &Facts) -> String {
     let scene = Scene::new(facts.clone()).expect("a valid scene");
     let attraction = matches!(
         facts.method,
-        Method::Md {
+        Method::Soft(Soft {
             attraction: true,
             ..
-        }
+        })
     );
     format!(
         "N {}, ε {}, σ₀ {:.3e}, t_c {:e}, {:?}, width {:e}, seed 1, {:?}, attraction {attraction}",
@@ -362,13 +362,14 @@ fn sixty_short_columns_follow_the_reference() {
     let cut = |facts: &Facts| {
         matches!(
             facts.method,
-            Method::Md {
+            Method::Soft(Soft {
                 attraction: false,
                 ..
-            }
+            })
         )
     };
-    let jittered = |facts: &Facts| matches!(facts.start, Start::Separated { jitter: true, .. });
+    let jittered =
+        |facts: &Facts| matches!(facts.start, Start::Launched(Launch { jitter: true, .. }));
     let several = [
         with(&jittered),
         with(&cut),

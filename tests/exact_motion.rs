@@ -10,7 +10,7 @@ mod sampled_roots;
 mod support;
 
 use beadlab::physics::{Observation, build};
-use beadlab::scene::{Facts, Floor, MethodName, Preset, Scene, Start, angular};
+use beadlab::scene::{Facts, Floor, Launch, MethodName, Preset, Scene, Shake, Start, angular};
 use oracle::Oracle;
 use support::{G, exact, fig1, shaken};
 
@@ -36,7 +36,7 @@ fn follow(
     let mut oracle = Oracle::new(&scene, &state);
     // The plate's place is known to a rounding of A₀, which a contact feels as a kick.
     let amplitude = match scene.floor {
-        Floor::Vibrating { amplitude, .. } => amplitude,
+        Floor::Vibrating(Shake { amplitude, .. }) => amplitude,
         Floor::Fixed => 0.0,
     };
     let place = 2.0 * f64::EPSILON * amplitude;
@@ -76,10 +76,10 @@ fn as_built(_: &mut Vec<f64>, _: &mut Vec<f64>) {}
 fn on_plate(n: usize, contact_time: f64, alpha: f64, frequency: f64) -> Facts {
     Facts {
         n,
-        floor: Floor::Vibrating {
+        floor: Floor::Vibrating(Shake {
             amplitude: alpha * G / angular(frequency).powi(2),
             frequency,
-        },
+        }),
         ..shaken(exact(contact_time), 2.0)
     }
 }
@@ -89,11 +89,11 @@ fn dropped(n: usize, contact_time: f64, s0: f64, v0: f64) -> Facts {
         n,
         gravity: Some(G),
         duration: Some(1.0),
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0,
             jitter: false,
             v0,
-        },
+        }),
         ..fig1(exact(contact_time), 0.0)
     }
 }
@@ -147,11 +147,11 @@ fn a_bead_lands_alone_whatever_the_plate_does_meanwhile() {
         let facts = Facts {
             restitution,
             floor: if fixed { Floor::Fixed } else { shaken.floor },
-            start: Start::Separated {
+            start: Start::Launched(Launch {
                 s0: 3e-3,
                 jitter: false,
                 v0: -2.0,
-            },
+            }),
             ..shaken
         };
         let what = format!("{turns} turns of the plate in a contact");
@@ -222,11 +222,11 @@ const DEPTHS: [f64; 6] = [1e-4, 1e-7, 1e-10, -1e-10, -1e-7, -1e-4];
 fn a_bead_in_flight_grazes_the_plate() {
     let contact_time = 1e-3;
     let facts = Facts {
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: 1e-3,
             jitter: false,
             v0: 0.0,
-        },
+        }),
         ..on_plate(1, contact_time, 20.0, 20.0)
     };
     let (amplitude, omega) = (20.0 * G / angular(20.0).powi(2), angular(20.0));
@@ -255,11 +255,11 @@ fn a_bead_in_flight_grazes_the_plate() {
 #[test]
 fn a_bead_of_a_cluster_grazes_the_floor() {
     let (contact_time, restitution) = (1e-3, 0.2_f64);
-    let start = Start::Separated {
+    let start = Start::Launched(Launch {
         s0: 1e-3,
         jitter: false,
         v0: -1.0,
-    };
+    });
     let facts = Facts {
         n: 2,
         restitution,

@@ -5,7 +5,9 @@ mod dice;
 mod support;
 
 use beadlab::physics::{Engine, Outcome, build};
-use beadlab::scene::{Facts, Floor, Law, Method, Scene, Solver, Start, angular};
+use beadlab::scene::{
+    Facts, Floor, Launch, Law, Method, Scene, Shake, Soft, Solver, Start, angular,
+};
 use dice::Dice;
 use support::look;
 
@@ -19,11 +21,11 @@ fn soft(dice: &mut Dice) -> (Facts, f64) {
     let contact_time = dice.decades(-9.0, -2.0);
     let facts = Facts {
         restitution: hard.restitution.max(1e-6),
-        method: Method::Md {
+        method: Method::Soft(Soft {
             law: Law::Hooke { contact_time },
             solver: Solver::Exact,
             attraction: dice.chance(0.7),
-        },
+        }),
         ..hard
     };
     let long = facts.period().map_or(1.0, |period| 3.0 * period);
@@ -119,22 +121,22 @@ fn scaled(facts: &Facts, lengths: f64, times: f64) -> Facts {
     other.diameter *= lengths;
     other.width *= lengths;
     other.gravity = facts.gravity.map(|g| g * speeds / times);
-    if let Start::Separated { s0, v0, .. } = &mut other.start {
+    if let Start::Launched(Launch { s0, v0, .. }) = &mut other.start {
         *s0 *= lengths;
         *v0 *= speeds;
     }
-    if let Floor::Vibrating {
+    if let Floor::Vibrating(Shake {
         amplitude,
         frequency,
-    } = &mut other.floor
+    }) = &mut other.floor
     {
         *amplitude *= lengths;
         *frequency /= times;
     }
-    if let Method::Md {
+    if let Method::Soft(Soft {
         law: Law::Hooke { contact_time },
         ..
-    } = &mut other.method
+    }) = &mut other.method
     {
         *contact_time *= times;
     }
@@ -176,7 +178,7 @@ fn three_and_seven_are_only_other_units() {
         };
         // Through the first contact of the lowest beads, before chaos.
         let flight = match facts.start {
-            Start::Separated { s0, v0, .. } => s0 / v0.abs(),
+            Start::Launched(Launch { s0, v0, .. }) => s0 / v0.abs(),
             Start::Resting => 0.0,
         };
         let until = flight.min(1e-3) + 3.0 * contact_time;
@@ -189,10 +191,10 @@ fn three_and_seven_are_only_other_units() {
         };
         let (one, two) = (one.state(), two.state());
         let plate = match facts.floor {
-            Floor::Vibrating {
+            Floor::Vibrating(Shake {
                 amplitude,
                 frequency,
-            } => amplitude * angular(frequency),
+            }) => amplitude * angular(frequency),
             Floor::Fixed => 1e-300,
         };
         let speed = one

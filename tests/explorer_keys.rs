@@ -11,7 +11,7 @@ mod explorer;
 use std::time::Instant;
 
 use beadlab::live::Order;
-use beadlab::scene::{MethodName, Start};
+use beadlab::scene::{Launch, MethodName, Start};
 use beadlab::tui::model::{Model, Overlay};
 use beadlab::tui::update::{Command, Msg, update};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -306,7 +306,7 @@ fn what_acts_from_the_start_restarts() {
     let mut model = model("fig1b");
     assert!(restarted(enter(&mut model, ":s0=1e-5")));
     assert!(
-        matches!(model.bench.scenes()[0].start, Start::Separated { s0, .. } if (s0 - 1e-5).abs() < 1e-18)
+        matches!(model.bench.scenes()[0].start, Start::Launched(Launch { s0, .. }) if (s0 - 1e-5).abs() < 1e-18)
     );
     assert!(restarted(enter(&mut model, ":n=20")));
     assert!(model.bench.scenes().iter().all(|scene| scene.n == 20));

@@ -154,10 +154,10 @@ fn both_columns_stand_on_one_plate_after_edits_of_it() {
     load(&live, scenes.clone(), sweep(0.3, false), 0.1, true);
     let row = beadlab::scene::parameters::find("amplitude").expect("there is one");
     let (frequency, own) = match scenes[0].floor {
-        Floor::Vibrating {
+        Floor::Vibrating(beadlab::scene::Shake {
             amplitude,
             frequency,
-        } => (frequency, amplitude),
+        }) => (frequency, amplitude),
         Floor::Fixed => unreachable!("shaken"),
     };
     let mut time = 0.0;

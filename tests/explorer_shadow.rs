@@ -11,7 +11,9 @@ use std::time::{Duration, Instant};
 
 use beadlab::live::{self, Accuracy, Build, Distance, Frame, Live, Order, reference};
 use beadlab::physics::{self, Engine, Handover, Outcome, State};
-use beadlab::scene::{Facts, Integrator, Method, MethodName, Scene, Solver, parameters};
+use beadlab::scene::{
+    Facts, GridSettings, Integrator, Method, MethodName, Scene, Soft, Solver, parameters,
+};
 use beadlab::tui::model::Model;
 use beadlab::tui::update::{Command, Msg, update};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -20,17 +22,17 @@ use explorer::{Act, Behind, COLOURS, load, play, preset, real, sweep, twins, typ
 /// Fig. 1(b) by another solver: ten beads meet a floor within 0.2 ms.
 fn fig1b(solver: Solver) -> Scene {
     let mut facts: Facts = preset("fig1b").scene.facts().clone();
-    if let Method::Md { solver: own, .. } = &mut facts.method {
+    if let Method::Soft(Soft { solver: own, .. }) = &mut facts.method {
         *own = solver;
     }
     Scene::new(facts).expect("the preset allows every solver of its law")
 }
 
 fn coarse_verlet() -> Scene {
-    fig1b(Solver::Grid {
+    fig1b(Solver::Grid(GridSettings {
         integrator: Integrator::Verlet,
         steps_per_contact: 20.0,
-    })
+    }))
 }
 
 fn send(live: &Live, order: Order) {
@@ -249,10 +251,10 @@ fn pause_freezes_it_and_off_is_off() {
 #[test]
 fn power_laws_are_held_against_a_tighter_tolerance() {
     let tolerance = |scene: &Scene| match scene.method {
-        Method::Md {
+        Method::Soft(Soft {
             solver: Solver::Adaptive { tolerance },
             ..
-        } => tolerance,
+        }) => tolerance,
         _ => f64::NAN,
     };
     let scene = preset("fig3-hertz").scene;

@@ -3,7 +3,7 @@
 mod support;
 
 use beadlab::physics::{Outcome, build, floor_restitution};
-use beadlab::scene::{Arrangement, Facts, FloorContact, Integrator, Method, Scene, Start};
+use beadlab::scene::{Arrangement, Facts, FloorContact, Integrator, Launch, Method, Scene, Start};
 use support::{INTEGRATORS, collide, engine, exact, fig1, look, rebound, soft};
 
 const CONTACT_TIME: f64 = 1e-5;
@@ -16,11 +16,11 @@ fn lattice(method: Method, rows: usize, s0: f64, v0: f64) -> Facts {
             tangential: 0.0,
         },
         n: 13 * rows,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0,
             jitter: false,
             v0,
-        },
+        }),
         ..fig1(method, s0)
     }
 }
@@ -31,7 +31,7 @@ fn verlet(steps: f64) -> Method {
 
 /// The same with every bead shifted at random.
 fn shifted(mut facts: Facts, seed: u64) -> Facts {
-    if let Start::Separated { jitter, .. } = &mut facts.start {
+    if let Start::Launched(Launch { jitter, .. }) = &mut facts.start {
         *jitter = true;
     }
     facts.seed = seed;
@@ -152,11 +152,11 @@ fn overlaps_of_1e_17_m_keep_their_digits() {
 fn both_limits_are_near_those_of_a_column_of_that_height() {
     let of_column = |s0| {
         rebound(Facts {
-            start: Start::Separated {
+            start: Start::Launched(Launch {
                 s0,
                 jitter: false,
                 v0: -0.1,
-            },
+            }),
             ..fig1(exact(CONTACT_TIME), s0)
         })
     };

@@ -3,7 +3,7 @@
 
 mod support;
 
-use beadlab::scene::{Arrangement, Facts, Integrator, Start};
+use beadlab::scene::{Arrangement, Facts, Integrator, Launch, Start};
 use support::{engine, fig1, look, soft};
 
 const COLUMNS: usize = 3;
@@ -24,11 +24,11 @@ fn scene(s0: f64, seed: u64, tangential: f64) -> Facts {
         },
         n: N,
         seed,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0,
             jitter: true,
             v0: -SPEED,
-        },
+        }),
         ..fig1(method, s0)
     }
 }

@@ -4,7 +4,7 @@
 mod support;
 
 use beadlab::physics::LinearLaw;
-use beadlab::scene::{Facts, Integrator, Law, Method, Solver, Start};
+use beadlab::scene::{Facts, GridSettings, Integrator, Launch, Law, Method, Soft, Solver, Start};
 use support::{ED, collide, fig1, md, rebound};
 
 /// s₀, m; converged ε_eff and E_r/E_f of the soft column.
@@ -51,21 +51,21 @@ fn hooke_columns_of_fig_3() {
     // DESIGN gives two digits.
     assert!((law.contact_time() / 7.0e-5 - 1.0).abs() < 1e-2);
     for (n, expected) in [(1, 0.85414), (10, 0.94005), (50, 0.96860)] {
-        let method = Method::Md {
+        let method = Method::Soft(Soft {
             law: Law::Hooke {
                 contact_time: law.contact_time(),
             },
-            solver: Solver::Grid {
+            solver: Solver::Grid(GridSettings {
                 integrator: Integrator::Gear,
                 steps_per_contact: 1000.0,
-            },
+            }),
             attraction: true,
-        };
-        let start = Start::Separated {
+        });
+        let start = Start::Launched(Launch {
             s0: 0.0,
             jitter: false,
             v0: -0.05,
-        };
+        });
         let restitution = law.restitution();
         let (eps, _) = rebound(Facts {
             n,
@@ -125,11 +125,11 @@ fn less_is_lost_the_longer_the_column() {
 fn relative_energy_grows_with_the_square_of_the_speed() {
     // Sec. IV A: E_r ∝ v₀²: for a touching column ε_eff and E_r/E_f do not know v₀.
     let at = |v0| {
-        let start = Start::Separated {
+        let start = Start::Launched(Launch {
             s0: 0.0,
             jitter: false,
             v0,
-        };
+        });
         rebound(Facts {
             start,
             ..fig1(md(Integrator::Gear, 100.0), 0.0)

@@ -5,7 +5,7 @@ mod support;
 use std::f64::consts::{PI, TAU};
 
 use beadlab::physics::{Engine, Outcome};
-use beadlab::scene::{Facts, Floor, FloorContact, Start, angular};
+use beadlab::scene::{Facts, Floor, FloorContact, Shake, Start, angular};
 use support::{ED, G, engine, look, shaken};
 
 const FREQUENCY: f64 = 20.0;
@@ -194,10 +194,10 @@ fn just_above_alpha_1_time_goes_on() {
         for excess in just_above {
             let mut facts = ball(1.0 + excess);
             let amplitude = (1.0 + excess) * G / angular(frequency).powi(2);
-            facts.floor = Floor::Vibrating {
+            facts.floor = Floor::Vibrating(Shake {
                 amplitude,
                 frequency,
-            };
+            });
             let mut engine = engine(facts);
             let outcome = engine.advance(5.0 / frequency, 1000).expect("a sound run");
             assert_eq!(outcome, Outcome::Reached, "{frequency} Hz, 1 + {excess}");

@@ -5,7 +5,8 @@ mod support;
 
 use beadlab::physics::{Observation, Outcome, build, floor_restitution};
 use beadlab::scene::{
-    Exponents, Facts, Floor, FloorContact, Law, Method, PowerLaw, Scene, Solver, Start, rebound,
+    Exponents, Facts, Floor, FloorContact, GridSettings, Launch, Law, Method, PowerLaw, Scene,
+    Soft, Solver, Start, rebound,
 };
 use support::{G, collide, engine, fig1, look, run, shaken};
 
@@ -34,22 +35,22 @@ const FREE: PowerLaw = PowerLaw {
 };
 
 fn adaptive(law: PowerLaw, tolerance: f64) -> Method {
-    Method::Md {
+    Method::Soft(Soft {
         law: Law::Power(law),
         solver: Solver::Adaptive { tolerance },
         attraction: true,
-    }
+    })
 }
 
 /// The column of Fig. 3.
 fn fig3(method: Method, n: usize) -> Facts {
     Facts {
         n,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: 0.0,
             jitter: false,
             v0: -0.05,
-        },
+        }),
         ..fig1(method, 0.0)
     }
 }
@@ -64,11 +65,11 @@ fn one_bead_rebounds_as_the_quadrature_says() {
     for law in [HERTZ, HKK, TAGUCHI, FREE] {
         for contact in [FloorContact::SameSpring, FloorContact::SameRestitution] {
             for attraction in [true, false] {
-                let method = Method::Md {
+                let method = Method::Soft(Soft {
                     law: Law::Power(law),
                     solver: Solver::Adaptive { tolerance: 1e-12 },
                     attraction,
-                };
+                });
                 let facts = Facts {
                     floor_contact: contact,
                     ..fig3(method, 1)
@@ -103,11 +104,11 @@ fn undamped_contacts_obey_the_appendix() {
             };
             let facts = Facts {
                 floor_contact: FloorContact::SameRestitution,
-                start: Start::Separated {
+                start: Start::Launched(Launch {
                     s0: 0.0,
                     jitter: false,
                     v0,
-                },
+                }),
                 ..fig3(adaptive(law, 1e-12), 1)
             };
             // (A1) with γ and η out of the way, and (A2).
@@ -141,13 +142,13 @@ fn the_linear_law_as_a_power_law() {
             (e - eps_eff).abs() < 1e-6 && (r - share).abs() < 1e-6,
             "{s0}"
         );
-        let exact = Method::Md {
+        let exact = Method::Soft(Soft {
             law: Law::Hooke {
                 contact_time: 0.7e-5,
             },
             solver: Solver::Exact,
             attraction: true,
-        };
+        });
         let (exact_e, exact_r) = shares(fig1(exact, s0));
         assert!((e / exact_e - 1.0).abs() < 1e-9, "{s0}: {e} {exact_e}");
         assert!((r / exact_r - 1.0).abs() < 1e-9, "{s0}: {r} {exact_r}");
@@ -165,11 +166,11 @@ fn a_shaken_column_moves_as_the_exact_engine_says() {
             ..shaken(method, 2.0)
         };
         let linear = PowerLaw::linear(0.6, 1e-4);
-        let exact = Method::Md {
+        let exact = Method::Soft(Soft {
             law: Law::Hooke { contact_time: 1e-4 },
             solver: Solver::Exact,
             attraction: true,
-        };
+        });
         let (ours, theirs) = (
             look(&*run(with(adaptive(linear, 1e-12)), until)),
             look(&*run(with(exact), until)),
@@ -220,27 +221,27 @@ fn scenes() -> Vec<(String, Facts)> {
     let mut scenes = Vec::new();
     for law in [HERTZ, HKK, TAGUCHI, FREE] {
         for attraction in [true, false] {
-            let method = Method::Md {
+            let method = Method::Soft(Soft {
                 law: Law::Power(law),
                 solver: Solver::Adaptive { tolerance: 1e-10 },
                 attraction,
-            };
+            });
             let dropped = Facts {
                 gravity: Some(G),
                 duration: Some(1.0),
-                start: Start::Separated {
+                start: Start::Launched(Launch {
                     s0: 2e-4,
                     jitter: true,
                     v0: 0.0,
-                },
+                }),
                 ..fig1(method, 0.0)
             };
             let thrown = Facts {
-                start: Start::Separated {
+                start: Start::Launched(Launch {
                     s0: 1e-5,
                     jitter: false,
                     v0: -0.3,
-                },
+                }),
                 ..shaken(method, 2.0)
             };
             let unequal = |facts: Facts| Facts {
@@ -339,13 +340,15 @@ fn an_edit_of_the_law_stores_up_no_energy() {
             ..HERTZ
         }),
     ];
-    let method = |law| Method::Md {
-        law,
-        solver: match law {
-            Law::Hooke { .. } => Solver::Exact,
-            Law::Power(_) => Solver::Adaptive { tolerance: 1e-10 },
-        },
-        attraction: true,
+    let method = |law| {
+        Method::Soft(Soft {
+            law,
+            solver: match law {
+                Law::Hooke { .. } => Solver::Exact,
+                Law::Power(_) => Solver::Adaptive { tolerance: 1e-10 },
+            },
+            attraction: true,
+        })
     };
     for from in laws {
         let scene = |law| Scene::new(fig3(method(law), 10)).expect("a scene");
@@ -388,11 +391,11 @@ fn fixed_steps_converge_to_the_adaptive_result() {
         for integrator in support::INTEGRATORS {
             for attraction in [true, false] {
                 let with = |solver| {
-                    let method = Method::Md {
+                    let method = Method::Soft(Soft {
                         law: Law::Power(law),
                         solver,
                         attraction,
-                    };
+                    });
                     shares(fig3(method, 5))
                 };
                 let truth = if attraction {
@@ -401,10 +404,10 @@ fn fixed_steps_converge_to_the_adaptive_result() {
                     with(Solver::Adaptive { tolerance: 1e-12 })
                 };
                 let error = |steps_per_contact| {
-                    let (e, r) = with(Solver::Grid {
+                    let (e, r) = with(Solver::Grid(GridSettings {
                         integrator,
                         steps_per_contact,
-                    });
+                    }));
                     (e - truth.0).abs().max((r - truth.1).abs())
                 };
                 // First order at worst: the dashpot of Hertz's law sets in with a jump.

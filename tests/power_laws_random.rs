@@ -5,7 +5,9 @@ mod dice;
 mod support;
 
 use beadlab::physics::build;
-use beadlab::scene::{Exponents, Facts, Floor, Law, Method, PowerLaw, Scene, Solver, Start};
+use beadlab::scene::{
+    Exponents, Facts, Floor, Launch, Law, Method, PowerLaw, Scene, Shake, Soft, Solver, Start,
+};
 use dice::Dice;
 use support::{G, fig1, look};
 
@@ -24,11 +26,11 @@ fn any(seed: u64) -> Facts {
     let speed = dice.decades(-6.0, 1.0);
     let linear = PowerLaw::linear(dice.decades(-1.5, 0.0), dice.decades(-8.0, -3.0));
     let law = linear.like(exponents, speed);
-    let method = Method::Md {
+    let method = Method::Soft(Soft {
         law: Law::Power(law),
         solver: Solver::Adaptive { tolerance: 1e-8 },
         attraction: dice.roll() < 0.5,
-    };
+    });
     let contact_time = law.contact_time(speed);
     let n = [1, 2, 3, 4, 5, 6, 7, 8]
         .into_iter()
@@ -41,7 +43,7 @@ fn any(seed: u64) -> Facts {
         } else {
             1.8e-3 * dice.roll()
         },
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: if dice.roll() < 0.3 {
                 0.0
             } else {
@@ -49,7 +51,7 @@ fn any(seed: u64) -> Facts {
             },
             jitter: dice.roll() < 0.3,
             v0: -speed,
-        },
+        }),
         ..fig1(method, 0.0)
     };
     match dice.roll() {
@@ -61,10 +63,10 @@ fn any(seed: u64) -> Facts {
                 launched.start
             },
             gravity: Some(G),
-            floor: Floor::Vibrating {
+            floor: Floor::Vibrating(Shake {
                 amplitude: speed / 100.0,
                 frequency: 100.0 / std::f64::consts::TAU,
-            },
+            }),
             duration: Some(1.0),
             ..launched
         },

@@ -4,7 +4,10 @@
 mod program;
 
 use beadlab::scene::preset::embedded;
-use beadlab::scene::{Arrangement, Floor, Method, MethodName, Preset, Solver, Start};
+use beadlab::scene::{
+    Arrangement, Floor, GridSettings, Launch, Method, MethodName, Preset, Shake, Soft, Solver,
+    Start,
+};
 use std::fs;
 use std::path::PathBuf;
 
@@ -93,10 +96,10 @@ fn every_file_of_the_folder_is_embedded() {
 /// Amplitude A₀, m, frequency, Hz, and reduced acceleration α.
 fn plate(preset: &Preset) -> (f64, f64, f64) {
     match preset.scene.floor {
-        Floor::Vibrating {
+        Floor::Vibrating(Shake {
             amplitude,
             frequency,
-        } => (amplitude, frequency, preset.scene.alpha().expect("gravity")),
+        }) => (amplitude, frequency, preset.scene.alpha().expect("gravity")),
         Floor::Fixed => panic!("{} has no plate", preset.name),
     }
 }
@@ -114,11 +117,11 @@ fn the_floor_collisions_have_the_papers_numbers() {
     ] {
         for name in [soft, hard] {
             let scene = load(name).scene;
-            let start = Start::Separated {
+            let start = Start::Launched(Launch {
                 s0: separation,
                 jitter: false,
                 v0: -0.2,
-            };
+            });
             assert_eq!((scene.n, scene.start), (10, start), "{name}");
             assert!(
                 close(scene.diameter, 1e-3) && close(scene.restitution, 0.9),
@@ -130,7 +133,7 @@ fn the_floor_collisions_have_the_papers_numbers() {
         assert!(close(scene.contact_time().expect("soft"), 0.7e-5));
         assert_eq!(scene.method.name(), MethodName::Gear);
         assert!(
-            matches!(scene.method, Method::Md { solver: Solver::Grid { steps_per_contact, .. }, attraction: true, .. }
+            matches!(scene.method, Method::Soft(Soft { solver: Solver::Grid(GridSettings { steps_per_contact, .. }), attraction: true, .. })
                 if close(steps_per_contact, 100.0))
         );
         assert_eq!(load(soft).beside.as_deref(), Some(hard));
@@ -151,7 +154,7 @@ fn the_lattice_has_the_papers_numbers() {
     };
     assert_eq!((scene.n, scene.arrangement), (130, arrangement));
     assert!(close(scene.diameter, 1e-3) && close(scene.restitution, 0.9));
-    let (Start::Separated { s0, jitter, v0 }, Some(contact_time)) =
+    let (Start::Launched(Launch { s0, jitter, v0 }), Some(contact_time)) =
         (scene.start, scene.contact_time())
     else {
         panic!("a soft lattice is thrown");

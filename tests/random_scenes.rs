@@ -8,7 +8,7 @@ mod support;
 use std::f64::consts::PI;
 
 use beadlab::physics::build;
-use beadlab::scene::{Floor, Integrator, Law, Method, Scene, Solver};
+use beadlab::scene::{Floor, GridSettings, Integrator, Law, Method, Scene, Shake, Soft, Solver};
 use dice::Dice;
 use support::{ED, G, look, shaken};
 
@@ -52,14 +52,14 @@ fn edits_in_any_order_keep_the_column_whole() {
     let mut dice = Dice(2);
     for k in 0..40 {
         let contact_time = dice.decades(-5.0, -3.0);
-        let soft = Method::Md {
+        let soft = Method::Soft(Soft {
             law: Law::Hooke { contact_time },
-            solver: Solver::Grid {
+            solver: Solver::Grid(GridSettings {
                 integrator: Integrator::Verlet,
                 steps_per_contact: 40.0,
-            },
+            }),
             attraction: true,
-        };
+        });
         let alpha = dice.decades(0.0, 1.0);
         let mut facts = shaken(soft, alpha);
         // Gravity and the plate's largest acceleration until now.
@@ -73,10 +73,10 @@ fn edits_in_any_order_keep_the_column_whole() {
             facts.method = if dice.chance(0.4) { ED } else { soft };
             facts.restitution = 0.05 + 0.95 * dice.roll();
             let (amplitude, frequency) = (dice.decades(-4.0, -2.0), 5.0 + 45.0 * dice.roll());
-            facts.floor = Floor::Vibrating {
+            facts.floor = Floor::Vibrating(Shake {
                 amplitude,
                 frequency,
-            };
+            });
             let scene = Scene::new(facts.clone()).expect("a valid scene");
             engine = build(&scene, Some(&engine.state())).0;
             let after = look(&*engine);

@@ -2,7 +2,7 @@
 
 mod support;
 
-use beadlab::scene::{Facts, Floor, Start};
+use beadlab::scene::{Facts, Floor, Launch, Shake, Start};
 use support::{ED, G, engine, look, shaken};
 
 /// A slow event-driven reference: absolute heights, every pair looked at for every
@@ -86,21 +86,21 @@ impl Reference {
 fn hard_beads_follow_the_slow_reference() {
     let restitution = 0.95;
     for alpha in [0.8, 3.0, 20.0] {
-        let start = Start::Separated {
+        let start = Start::Launched(Launch {
             s0: 2e-3,
             jitter: true,
             v0: -0.05,
-        };
+        });
         let facts = Facts {
             n: 3,
             restitution,
             start,
             ..shaken(ED, alpha)
         };
-        let Floor::Vibrating {
+        let Floor::Vibrating(Shake {
             amplitude,
             frequency,
-        } = facts.floor
+        }) = facts.floor
         else {
             unreachable!("shaken")
         };

@@ -9,7 +9,7 @@
 use std::time::{Duration, Instant};
 
 use super::runner::{Build, Runner};
-use crate::scene::{Facts, Law, Method, Scene, Solver};
+use crate::scene::{Facts, Law, Method, Scene, Soft, Solver};
 
 /// Shadows work for this long between two looks at the orders.
 const SLICE: Duration = Duration::from_millis(4);
@@ -54,11 +54,11 @@ pub enum Accuracy {
 /// # Errors
 /// Why there is none, in a sentence.
 pub fn reference(scene: &Scene) -> Result<Scene, String> {
-    let Method::Md {
+    let Method::Soft(Soft {
         law,
         solver,
         attraction,
-    } = scene.method
+    }) = scene.method
     else {
         return Err("hard spheres are another model, and have no exact run".into());
     };
@@ -78,11 +78,11 @@ pub fn reference(scene: &Scene) -> Result<Scene, String> {
         (Law::Power(_), _) => Solver::Adaptive { tolerance: TIGHT },
     };
     Scene::new(Facts {
-        method: Method::Md {
+        method: Method::Soft(Soft {
             law,
             solver,
             attraction,
-        },
+        }),
         ..scene.facts().clone()
     })
     .map_err(|error| error.to_string())

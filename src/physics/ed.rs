@@ -26,7 +26,7 @@ use super::observation::Observation;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{CollisionRule, Floor, Method, Scene};
+use crate::scene::{CollisionRule, Floor, Method, Scene, Shake};
 use closing::Closing;
 use pair::{Pair, pairs};
 use rule::{Always, LastCollisions, Rule};
@@ -39,7 +39,7 @@ const OVER: f64 = 1e-32;
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
     let plate = state.plate;
     match (scene.floor, scene.gravity) {
-        (Floor::Vibrating { .. }, gravity) => {
+        (Floor::Vibrating(Shake { .. }), gravity) => {
             with_rule(scene, state, Shaken::new(gravity.unwrap_or(0.0), plate))
         }
         (Floor::Fixed, Some(gravity)) => {
@@ -51,9 +51,7 @@ pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
 
 fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box<dyn Engine> {
     match scene.method {
-        Method::Ed {
-            rule: CollisionRule::Tc { contact_time },
-        } => {
+        Method::Hard(CollisionRule::Tc { contact_time }) => {
             let contact_time = contact_time * Closing::room(scene, &state);
             let rule = LastCollisions::new(scene.n, contact_time);
             Box::new(Ed::new(scene, state, ground, rule))

@@ -29,7 +29,7 @@ use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
 use crate::math;
-use crate::scene::{Floor, Law, Method, Scene};
+use crate::scene::{Floor, Law, Method, Scene, Shake, Soft};
 use centre::Centre;
 use cluster::Plan;
 use crossing::ROWS;
@@ -54,7 +54,7 @@ const INSPECTION: u64 = 256;
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
     let plate = state.plate;
     match (scene.floor, scene.gravity) {
-        (Floor::Vibrating { .. }, gravity) => {
+        (Floor::Vibrating(Shake { .. }), gravity) => {
             let ground = Shaken::new(gravity.unwrap_or(0.0), plate);
             Box::new(Exact::new(scene, state, ground))
         }
@@ -150,11 +150,11 @@ impl Room {
 
 impl<G: Ground> Exact<G> {
     fn new(scene: &Scene, state: State, ground: G) -> Self {
-        let Method::Md {
+        let Method::Soft(Soft {
             law: Law::Hooke { contact_time },
             attraction,
             ..
-        } = scene.method
+        }) = scene.method
         else {
             unreachable!("physics::build hands linear scenes to this room");
         };

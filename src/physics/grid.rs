@@ -2,7 +2,7 @@
 //! of a fixed step share, whatever they move.
 
 use super::{EngineError, Outcome};
-use crate::scene::{Integrator, Method, Scene, Solver};
+use crate::scene::{GridSettings, Integrator, Method, Scene, Soft, Solver};
 
 /// Steps between two looks at the numbers themselves.
 pub(crate) const HOUSEKEEPING: u64 = 32;
@@ -25,15 +25,15 @@ impl Settings {
     /// Of a scene of soft contacts on a grid, as `physics::build` hands them out.
     pub fn of(scene: &Scene) -> Self {
         let (
-            Method::Md {
+            Method::Soft(Soft {
                 solver:
-                    Solver::Grid {
+                    Solver::Grid(GridSettings {
                         integrator,
                         steps_per_contact,
-                    },
+                    }),
                 attraction,
                 ..
-            },
+            }),
             Some(contact_time),
         ) = (scene.method, scene.contact_time())
         else {

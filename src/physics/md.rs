@@ -19,7 +19,7 @@ use super::column::{masses, springs};
 use super::grid::Settings;
 use super::power_law::Spring;
 use super::state::State;
-use crate::scene::{self, Floor, Integrator, Scene};
+use crate::scene::{self, Floor, Integrator, Scene, Shake};
 use chain::{Equal, Unequal};
 pub(super) use chain::{Law, Linear};
 use engine::Md;
@@ -46,7 +46,7 @@ fn with_ground<S: Stepper + 'static>(
     state: State,
 ) -> Box<dyn Engine> {
     match (scene.floor, scene.gravity) {
-        (Floor::Vibrating { .. }, gravity) => {
+        (Floor::Vibrating(Shake { .. }), gravity) => {
             let ground = Shaken::new(gravity.unwrap_or(0.0), state.plate);
             with_chain::<S, _>(scene, settings, state, ground)
         }

@@ -1,7 +1,7 @@
 //! The vibrating floor, z₀ = A₀ sin θ, θ = 2πft + θ₀, Eq. (1).
 
 use crate::math;
-use crate::scene::{Floor, Scene, angular};
+use crate::scene::{Floor, Scene, Shake, angular};
 
 /// The plate as state. How it gets from one motion to another after an edit is its
 /// [`Course`](super::course::Course).
@@ -22,10 +22,10 @@ impl Plate {
     pub fn of(scene: &Scene) -> Self {
         match scene.floor {
             Floor::Fixed => Self::default(),
-            Floor::Vibrating {
+            Floor::Vibrating(Shake {
                 amplitude,
                 frequency,
-            } => Self {
+            }) => Self {
                 amplitude,
                 omega: angular(frequency),
                 ..Self::default()

@@ -11,7 +11,7 @@ use super::column::{masses, springs};
 use super::md::CORRECTOR;
 use super::power_law::Spring;
 use crate::math;
-use crate::scene::{Arrangement, Integrator, Law, Method, Scene, Solver};
+use crate::scene::{Arrangement, GridSettings, Integrator, Law, Method, Scene, Soft, Solver};
 use nalgebra::{DMatrix, Matrix3, Matrix6, RowVector3, RowVector6, Schur, Vector6};
 use std::f64::consts::PI;
 
@@ -101,13 +101,14 @@ pub fn largest_stable_step(scene: &Scene, integrator: Integrator) -> Option<f64>
 /// The least steps in a contact time with which the scene's own grid would be stable,
 /// if the scene is on a grid that is coarser than that.
 pub fn too_few_steps(scene: &Scene) -> Option<f64> {
-    let Method::Md {
-        solver: Solver::Grid {
-            integrator,
-            steps_per_contact,
-        },
+    let Method::Soft(Soft {
+        solver:
+            Solver::Grid(GridSettings {
+                integrator,
+                steps_per_contact,
+            }),
         ..
-    } = scene.method
+    }) = scene.method
     else {
         return None;
     };

@@ -7,7 +7,9 @@ use super::course::{Course, Turn};
 use super::ledger::Ledger;
 use super::plate::Plate;
 use super::power_law::Spring;
-use crate::scene::{Facts, Floor, Method, Scene, Solver, Start, initial_gaps};
+use crate::scene::{
+    Facts, Floor, GridSettings, Launch, Method, Scene, Soft, Solver, Start, initial_gaps,
+};
 
 /// What a run keeps account of, whatever moves it.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,7 +127,7 @@ impl State {
     /// The start of a scene. Contacts that just touch are closed.
     pub fn initial(scene: &Scene) -> Self {
         let (gaps, velocity) = match scene.start {
-            Start::Separated { v0, .. } => (initial_gaps(scene), v0),
+            Start::Launched(Launch { v0, .. }) => (initial_gaps(scene), v0),
             Start::Resting => (vec![0.0; scene.n], 0.0),
         };
         if let Some(sites) = scene.sites() {
@@ -136,7 +138,7 @@ impl State {
         let mut rates = vec![0.0; scene.n];
         let plate = Plate::of(scene);
         // A resting column moves with the plate; a launched one has v₀ in the laboratory.
-        if matches!(scene.start, Start::Separated { .. }) {
+        if matches!(scene.start, Start::Launched(Launch { .. })) {
             rates[0] = velocity - plate.velocity();
         }
         let closed = gaps.iter().map(|&g| g <= 0.0).collect();
@@ -232,10 +234,10 @@ impl State {
     pub(crate) fn turned(mut self, turn: Turn, scene: &Scene) -> Self {
         let on_grid = matches!(
             scene.method,
-            Method::Md {
-                solver: Solver::Grid { .. },
+            Method::Soft(Soft {
+                solver: Solver::Grid(GridSettings { .. }),
                 ..
-            }
+            })
         );
         if on_grid {
             // The last grid point lies up to a step before the turn: the plate moves as

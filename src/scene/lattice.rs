@@ -1,7 +1,7 @@
 //! The lattice of Sec. IV C: where the beads of a plane belong, and where they start.
 
 use super::start::uniform;
-use super::{Arrangement, Facts, Scene, SceneError, Start};
+use super::{Arrangement, Facts, Launch, Scene, SceneError, Start};
 
 /// Stream of the scene's seed that shifts the beads of a lattice.
 const SHIFTS: u64 = 2;
@@ -44,7 +44,7 @@ impl Facts {
             return None;
         };
         let separation = match self.start {
-            Start::Separated { s0, .. } => s0,
+            Start::Launched(Launch { s0, .. }) => s0,
             Start::Resting => 0.0,
         };
         Some(Sites {
@@ -145,7 +145,7 @@ impl Sites {
     pub(crate) fn shifts(&self, facts: &Facts) -> Vec<f64> {
         let n = self.count();
         let mut places = vec![0.0; 2 * n];
-        let Start::Separated { jitter: true, .. } = facts.start else {
+        let Start::Launched(Launch { jitter: true, .. }) = facts.start else {
             return places;
         };
         let before = self.earlier_neighbours();

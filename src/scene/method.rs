@@ -1,8 +1,8 @@
 //! Methods by the names that people type, and the change from one to another.
 
 use super::{
-    CollisionRule, Exponents, Facts, Integrator, Law, LawName, Method, PowerLaw, Scene, SceneError,
-    Solver,
+    CollisionRule, Exponents, Facts, GridSettings, Integrator, Law, LawName, Method, PowerLaw,
+    Scene, SceneError, Soft, Solver,
 };
 use crate::scene::parameters;
 
@@ -59,18 +59,18 @@ impl Method {
     /// Its name.
     pub fn name(&self) -> MethodName {
         match self {
-            Self::Md { solver, .. } => match solver {
-                Solver::Grid {
+            Method::Soft(Soft { solver, .. }) => match solver {
+                Solver::Grid(GridSettings {
                     integrator: Integrator::Gear,
                     ..
-                } => MethodName::Gear,
-                Solver::Grid {
+                }) => MethodName::Gear,
+                Solver::Grid(GridSettings {
                     integrator: Integrator::Verlet,
                     ..
-                } => MethodName::Verlet,
+                }) => MethodName::Verlet,
                 Solver::Exact | Solver::Adaptive { .. } => MethodName::Exact,
             },
-            Self::Ed { .. } => MethodName::Ed,
+            Method::Hard(_) => MethodName::Ed,
         }
     }
 }
@@ -85,10 +85,8 @@ impl Facts {
             MethodName::Verlet => self.soft(self.on_grid(Integrator::Verlet)),
             MethodName::Exact => self.soft(self.located()),
             MethodName::Ed => match self.method {
-                Method::Md { .. } => Method::Ed {
-                    rule: CollisionRule::Lrv,
-                },
-                hard @ Method::Ed { .. } => hard,
+                Method::Soft(Soft { .. }) => Method::Hard(CollisionRule::Lrv),
+                hard @ Method::Hard(_) => hard,
             },
         };
         Self {
@@ -100,27 +98,28 @@ impl Facts {
     /// The grid in force, or a common one, for this integrator.
     fn on_grid(&self, integrator: Integrator) -> Solver {
         let steps_per_contact = match self.method {
-            Method::Md {
-                solver: Solver::Grid {
-                    steps_per_contact, ..
-                },
+            Method::Soft(Soft {
+                solver:
+                    Solver::Grid(GridSettings {
+                        steps_per_contact, ..
+                    }),
                 ..
-            } => steps_per_contact,
+            }) => steps_per_contact,
             _ => COMMON_STEPS,
         };
-        Solver::Grid {
+        Solver::Grid(GridSettings {
             integrator,
             steps_per_contact,
-        }
+        })
     }
 
     /// The solver that locates contact changes, for the law in force.
     fn located(&self) -> Solver {
         match self.method {
-            Method::Md {
+            Method::Soft(Soft {
                 solver: solver @ (Solver::Exact | Solver::Adaptive { .. }),
                 ..
-            } => solver,
+            }) => solver,
             _ => located(self.law().is_some_and(|law| law.name() != LawName::Hooke)),
         }
     }
@@ -130,7 +129,7 @@ impl Facts {
     pub(in crate::scene) fn obey(&mut self, name: LawName) {
         let speed = self.own_speed();
         let restitution = self.restitution;
-        let Method::Md { law, solver, .. } = &mut self.method else {
+        let Method::Soft(Soft { law, solver, .. }) = &mut self.method else {
             return;
         };
         if law.name() == name {
@@ -166,20 +165,20 @@ impl Facts {
 
     fn soft(&self, solver: Solver) -> Method {
         match self.method {
-            Method::Md {
+            Method::Soft(Soft {
                 law, attraction, ..
-            } => Method::Md {
+            }) => Method::Soft(Soft {
                 law,
                 solver,
                 attraction,
-            },
-            Method::Ed { .. } => Method::Md {
+            }),
+            Method::Hard(_) => Method::Soft(Soft {
                 law: Law::Hooke {
                     contact_time: self.contact_time().unwrap_or(f64::NAN),
                 },
                 solver,
                 attraction: true,
-            },
+            }),
         }
     }
 }

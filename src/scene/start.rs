@@ -1,6 +1,6 @@
 //! What is random in a scene, and where its column starts.
 
-use super::{Facts, Start};
+use super::{Facts, Launch, Start};
 use crate::math;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -29,12 +29,12 @@ pub fn diameters(facts: &Facts) -> Vec<f64> {
 pub fn initial_gaps(facts: &Facts) -> Vec<f64> {
     match facts.start {
         Start::Resting => vec![0.0; facts.n],
-        Start::Separated {
+        Start::Launched(Launch {
             s0, jitter: false, ..
-        } => vec![s0; facts.n],
-        Start::Separated {
+        }) => vec![s0; facts.n],
+        Start::Launched(Launch {
             s0, jitter: true, ..
-        } => {
+        }) => {
             let mut below = 0.5; // The floor is not shifted.
             uniform(facts.seed, JITTER)
                 .take(facts.n)
@@ -66,11 +66,11 @@ mod tests {
             n,
             width,
             seed,
-            start: Start::Separated {
+            start: Start::Launched(Launch {
                 s0: 1e-6,
                 jitter: true,
                 v0: -0.2,
-            },
+            }),
             ..example()
         }
     }

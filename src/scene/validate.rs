@@ -1,7 +1,10 @@
 //! The one place where facts become a scene.
 
 use super::parameters::{self, Value};
-use super::{Facts, Floor, Law, Method, PowerLaw, Scene, SceneError, Solver, Start, rebound};
+use super::{
+    Facts, Floor, GridSettings, Launch, Law, Method, PowerLaw, Scene, SceneError, Shake, Soft,
+    Solver, Start, rebound,
+};
 
 /// Largest width of the diameters, over the mean diameter: up to 1:100 and beyond.
 const WIDEST: f64 = 1.97;
@@ -37,11 +40,11 @@ impl Scene {
         check_lattice(&facts)?;
         check_restitution(&facts)?;
         check_solver(&facts)?;
-        if let Method::Md {
+        if let Method::Soft(Soft {
             law: Law::Power(power),
             attraction,
             ..
-        } = facts.method
+        }) = facts.method
         {
             check_power(&facts, &power)?;
             facts.restitution = rebound(&power, attraction, facts.own_speed());
@@ -81,13 +84,13 @@ fn check_restitution(facts: &Facts) -> Result<(), SceneError> {
 }
 
 fn check_solver(facts: &Facts) -> Result<(), SceneError> {
-    let Method::Md { law, solver, .. } = facts.method else {
+    let Method::Soft(Soft { law, solver, .. }) = facts.method else {
         return Ok(());
     };
     let fits = match solver {
         Solver::Exact => matches!(law, Law::Hooke { .. }),
         Solver::Adaptive { .. } => matches!(law, Law::Power(_)),
-        Solver::Grid { .. } => true,
+        Solver::Grid(GridSettings { .. }) => true,
     };
     if fits {
         return Ok(());
@@ -140,7 +143,7 @@ pub(in crate::scene) fn check_frame(facts: &Facts) -> Result<(), SceneError> {
     if facts.gravity.is_some() {
         return Ok(());
     }
-    if matches!(facts.floor, Floor::Vibrating { .. }) {
+    if matches!(facts.floor, Floor::Vibrating(Shake { .. })) {
         let reason = "needs gravity, without which no bead comes back to the plate";
         return Err(inconsistent("floor", Value::Choice("vibrating"), reason));
     }
@@ -155,16 +158,16 @@ pub(in crate::scene) fn check_frame(facts: &Facts) -> Result<(), SceneError> {
 fn check_lattice_frame(facts: &Facts) -> Result<(), SceneError> {
     if !matches!(
         facts.method,
-        Method::Md {
-            solver: Solver::Grid { .. },
+        Method::Soft(Soft {
+            solver: Solver::Grid(GridSettings { .. }),
             ..
-        }
+        })
     ) {
         let name = facts.method.name().as_str();
         let reason = "a lattice takes gear or verlet, soft contacts on a grid of time steps";
         return Err(inconsistent("method", Value::Choice(name), reason));
     }
-    if matches!(facts.floor, Floor::Vibrating { .. }) {
+    if matches!(facts.floor, Floor::Vibrating(Shake { .. })) {
         let reason = "a lattice has a fixed floor and no gravity";
         return Err(inconsistent("floor", Value::Choice("vibrating"), reason));
     }
@@ -197,7 +200,7 @@ fn check_lattice(facts: &Facts) -> Result<(), SceneError> {
 }
 
 fn check_start(facts: &Facts) -> Result<(), SceneError> {
-    let Start::Separated { v0, .. } = facts.start else {
+    let Start::Launched(Launch { v0, .. }) = facts.start else {
         return Ok(());
     };
     if facts.gravity.is_none() && v0 > -SLOWEST {
@@ -234,21 +237,21 @@ pub(in crate::scene) fn example() -> Facts {
         seed: 1,
         restitution: 0.9,
         floor_contact: super::FloorContact::SameSpring,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: 1e-6,
             jitter: false,
             v0: -0.2,
-        },
+        }),
         gravity: None,
         floor: Floor::Fixed,
-        method: super::Method::Md {
+        method: super::Method::Soft(Soft {
             law: Law::Hooke { contact_time: 7e-6 },
-            solver: super::Solver::Grid {
+            solver: super::Solver::Grid(GridSettings {
                 integrator: super::Integrator::Gear,
                 steps_per_contact: 100.0,
-            },
+            }),
             attraction: true,
-        },
+        }),
         duration: None,
     }
 }

@@ -1,7 +1,7 @@
 //! An engine on its way, in slices, with somebody looking on.
 
 use crate::physics::{self, Engine, EngineError, Observation, Outcome};
-use crate::scene::{Law, MethodName, Scene, Start};
+use crate::scene::{Launch, Law, MethodName, Scene, Start};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -200,8 +200,10 @@ pub fn natural_time(scene: &Scene) -> f64 {
     let contact = scene.contact_time().unwrap_or(0.0);
     match scene.start {
         // Rows that just touch go on doing so: a lattice is stepped to the end of a look.
-        Start::Separated { s0, v0, .. } if scene.sites().is_some() => contact.max(s0 / v0.abs()),
-        Start::Separated { s0, v0, .. } if v0 != 0.0 => {
+        Start::Launched(Launch { s0, v0, .. }) if scene.sites().is_some() => {
+            contact.max(s0 / v0.abs())
+        }
+        Start::Launched(Launch { s0, v0, .. }) if v0 != 0.0 => {
             contact.max(s0.max(1e-3 * scene.diameter) / v0.abs())
         }
         _ => contact.max(scene.diameter),

@@ -7,7 +7,7 @@ use super::vary::{PATTERNS, one_ulp_off, vary};
 use crate::math;
 use crate::physics;
 use crate::scene::parameters::Value;
-use crate::scene::{Method, Scene, Solver};
+use crate::scene::{GridSettings, Method, Scene, Soft, Solver};
 
 /// Bead steps of a run that may be done a few times without being asked to.
 const CHEAP: f64 = 1e8;
@@ -269,16 +269,16 @@ impl Sensitivity {
 /// a tolerance.
 fn of_method(scene: &Scene) -> Option<(&'static str, f64)> {
     match scene.method {
-        Method::Md {
-            solver: Solver::Grid {
+        Method::Soft(Soft {
+            solver: Solver::Grid(GridSettings {
                 steps_per_contact, ..
-            },
+            }),
             ..
-        } => Some(("steps_per_contact", steps_per_contact)),
-        Method::Md {
+        }) => Some(("steps_per_contact", steps_per_contact)),
+        Method::Soft(Soft {
             solver: Solver::Adaptive { tolerance },
             ..
-        } => Some(("tolerance", tolerance)),
+        }) => Some(("tolerance", tolerance)),
         _ => None,
     }
 }

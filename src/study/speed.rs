@@ -7,7 +7,7 @@ use super::table::{Cell, Column, Table};
 use super::{Tell, vary};
 use crate::physics::{Engine, Observation, build};
 use crate::scene::parameters::Value;
-use crate::scene::{Facts, MethodName, Preset, Scene, Start};
+use crate::scene::{Facts, Launch, MethodName, Preset, Scene, Start};
 use std::time::{Duration, Instant};
 
 /// Lengths of the columns.
@@ -101,21 +101,21 @@ fn case(method: MethodName, state: State, n: usize) -> Case {
     let scene = vary(&preset.scene, Some(method), &settings).expect("a scene of any length");
     let start = match state {
         State::Contact => Start::Resting,
-        State::Flight => Start::Separated {
+        State::Flight => Start::Launched(Launch {
             s0: 1e-3,
             jitter: false,
             v0: 10.0,
-        },
-        State::Pairs => Start::Separated {
+        }),
+        State::Pairs => Start::Launched(Launch {
             s0: 1e-2,
             jitter: true,
             v0: -0.2,
-        },
-        State::Cascades => Start::Separated {
+        }),
+        State::Cascades => Start::Launched(Launch {
             s0: 0.0,
             jitter: false,
             v0: -0.2,
-        },
+        }),
     };
     let facts = Facts {
         start,

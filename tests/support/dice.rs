@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "every test uses its own part of this")]
 
 use crate::support::{ED, G, fig1};
-use beadlab::scene::{Facts, Floor, FloorContact, Start, angular};
+use beadlab::scene::{Facts, Floor, FloorContact, Launch, Shake, Start, angular};
 
 /// Numbers in [0, 1), the same in every run.
 pub struct Dice(pub u64);
@@ -29,10 +29,10 @@ impl Dice {
         let gravity = self.chance(0.7).then_some(G);
         let (frequency, alpha) = (self.decades(0.0, 3.0), self.decades(-1.0, 3.0));
         let floor = if gravity.is_some() && self.chance(0.8) {
-            Floor::Vibrating {
+            Floor::Vibrating(Shake {
                 amplitude: alpha * G / angular(frequency).powi(2),
                 frequency,
-            }
+            })
         } else {
             Floor::Fixed
         };
@@ -44,11 +44,11 @@ impl Dice {
             } else {
                 self.decades(-12.0, -1.0)
             };
-            Start::Separated {
+            Start::Launched(Launch {
                 s0,
                 jitter: self.chance(0.5),
                 v0: -self.decades(-4.0, 0.0),
-            }
+            })
         };
         #[expect(
             clippy::cast_possible_truncation,

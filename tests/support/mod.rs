@@ -3,8 +3,8 @@
 
 use beadlab::physics::{Engine, Observation, Outcome, build};
 use beadlab::scene::{
-    Arrangement, CollisionRule, Facts, Floor, FloorContact, Integrator, Law, Method, Scene, Solver,
-    Start, angular,
+    Arrangement, CollisionRule, Facts, Floor, FloorContact, GridSettings, Integrator, Launch, Law,
+    Method, Scene, Shake, Soft, Solver, Start, angular,
 };
 
 /// g of all presets, m/s².
@@ -20,11 +20,11 @@ pub fn fig1(method: Method, s0: f64) -> Facts {
         seed: 1,
         restitution: 0.9,
         floor_contact: FloorContact::SameSpring,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0,
             jitter: false,
             v0: -0.2,
-        },
+        }),
         gravity: None,
         floor: Floor::Fixed,
         method,
@@ -35,10 +35,10 @@ pub fn fig1(method: Method, s0: f64) -> Facts {
 /// A column of N = 10 beads, ε = 0.6, that rests on a plate at 20 Hz.
 pub fn shaken(method: Method, alpha: f64) -> Facts {
     let frequency = 20.0;
-    let floor = Floor::Vibrating {
+    let floor = Floor::Vibrating(Shake {
         amplitude: alpha * G / angular(frequency).powi(2),
         frequency,
-    };
+    });
     Facts {
         restitution: 0.6,
         start: Start::Resting,
@@ -51,22 +51,20 @@ pub fn shaken(method: Method, alpha: f64) -> Facts {
 
 /// Soft contacts with the paper's t_c.
 pub fn md(integrator: Integrator, steps_per_contact: f64) -> Method {
-    Method::Md {
+    Method::Soft(Soft {
         law: Law::Hooke {
             contact_time: 0.7e-5,
         },
-        solver: Solver::Grid {
+        solver: Solver::Grid(GridSettings {
             integrator,
             steps_per_contact,
-        },
+        }),
         attraction: true,
-    }
+    })
 }
 
 /// Hard spheres.
-pub const ED: Method = Method::Ed {
-    rule: CollisionRule::Lrv,
-};
+pub const ED: Method = Method::Hard(CollisionRule::Lrv);
 
 /// The engine of these facts, at their start.
 pub fn engine(facts: Facts) -> Box<dyn Engine> {
@@ -107,23 +105,23 @@ pub const INTEGRATORS: [Integrator; 2] = [Integrator::Gear, Integrator::Verlet];
 
 /// Soft contacts.
 pub fn soft(integrator: Integrator, contact_time: f64, steps_per_contact: f64) -> Method {
-    Method::Md {
+    Method::Soft(Soft {
         law: Law::Hooke { contact_time },
-        solver: Solver::Grid {
+        solver: Solver::Grid(GridSettings {
             integrator,
             steps_per_contact,
-        },
+        }),
         attraction: true,
-    }
+    })
 }
 
 /// Soft contacts, exactly.
 pub fn exact(contact_time: f64) -> Method {
-    Method::Md {
+    Method::Soft(Soft {
         law: Law::Hooke { contact_time },
         solver: Solver::Exact,
         attraction: true,
-    }
+    })
 }
 
 /// The engine of these facts, advanced to `until`.
@@ -139,16 +137,14 @@ pub fn hard_scenes() -> Vec<(&'static str, Facts)> {
         gravity: Some(G),
         duration: Some(1.0),
         restitution: 0.8,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: 1e-3,
             jitter: true,
             v0: 0.0,
-        },
+        }),
         ..fig1(ED, 0.0)
     };
-    let tc = Method::Ed {
-        rule: CollisionRule::Tc { contact_time: 1e-5 },
-    };
+    let tc = Method::Hard(CollisionRule::Tc { contact_time: 1e-5 });
     vec![
         ("floor collision", fig1(ED, 1e-6)),
         ("touching", fig1(ED, 0.0)),

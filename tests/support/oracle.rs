@@ -11,7 +11,7 @@
 use super::double_double::Double;
 use super::sampled_roots::{first_below_zero, value_and_slope};
 use beadlab::physics::State;
-use beadlab::scene::{Floor, FloorContact, Law, Method, Scene, angular, diameters};
+use beadlab::scene::{Floor, FloorContact, Law, Method, Scene, Shake, Soft, angular, diameters};
 
 /// Most Taylor terms a step.
 const TERMS: usize = 64;
@@ -62,11 +62,11 @@ pub struct Oracle {
 impl Oracle {
     /// The scene at its start, whose gaps and rates are given by `start`.
     pub fn new(scene: &Scene, start: &State) -> Self {
-        let Method::Md {
+        let Method::Soft(Soft {
             law: Law::Hooke { contact_time },
             attraction,
             ..
-        } = scene.method
+        }) = scene.method
         else {
             panic!("the reference is of linear contacts");
         };
@@ -91,10 +91,10 @@ impl Oracle {
         }
         let plate = match scene.floor {
             Floor::Fixed => None,
-            Floor::Vibrating {
+            Floor::Vibrating(Shake {
                 amplitude,
                 frequency,
-            } => Some((amplitude.into(), Double::PI * 2.0 * frequency)),
+            }) => Some((amplitude.into(), Double::PI * 2.0 * frequency)),
         };
         // Steps short against everything that moves: contacts of the lightest bead, the plate.
         let lightest = masses.iter().map(|m| m.hi).fold(1.0, f64::min);
@@ -102,7 +102,7 @@ impl Oracle {
         let spring = (4.0 * most / lightest).sqrt();
         let driven = match scene.floor {
             Floor::Fixed => 0.0,
-            Floor::Vibrating { frequency, .. } => angular(frequency),
+            Floor::Vibrating(Shake { frequency, .. }) => angular(frequency),
         };
         let longest = (contact_time / 8.0).min(0.8 / spring).min(0.5 / driven);
         let gaps: Vec<_> = start.gaps.iter().copied().map(Double::from).collect();

@@ -4,7 +4,7 @@ use super::report::{Cell, Report, Row};
 use super::runs::Runs;
 use crate::commands::{Failure, note};
 use crate::physics;
-use crate::scene::{Arrangement, Law, MethodName, Preset, Scene, Start};
+use crate::scene::{Arrangement, Launch, Law, MethodName, Preset, Scene, Start};
 use crate::study::verdict::{Verdict, verdict};
 use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, is_cheap};
 use std::ops::ControlFlow;
@@ -78,7 +78,7 @@ fn of_the_scene(preset: &Preset) -> Vec<Row> {
     let scene = &preset.scene;
     let method = scene.method.name();
     let start = match scene.start {
-        Start::Separated { s0, v0, .. } => Some((s0, v0)),
+        Start::Launched(Launch { s0, v0, .. }) => Some((s0, v0)),
         Start::Resting => None,
     };
     let law = scene.law();

@@ -25,7 +25,7 @@
 
 use super::Pair;
 use crate::physics::state::{Depth, State};
-use crate::scene::{Scene, Start};
+use crate::scene::{Launch, Scene, Start};
 
 /// Powers of two between the scene's own speed and that of a pair that is closed: of 200
 /// columns of equal beads near collapse that came back none had been as deep, of 1500 of
@@ -61,7 +61,7 @@ impl Closing {
     /// Of a scene with these pairs, to a depth.
     pub fn of(scene: &Scene, pairs: &[Pair], depth: Depth) -> Self {
         let launched = match scene.start {
-            Start::Separated { v0, .. } => v0.abs(),
+            Start::Launched(Launch { v0, .. }) => v0.abs(),
             Start::Resting => 0.0,
         };
         let gravity = scene.gravity;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::physics::{State, build};
-use crate::scene::{Facts, Floor, FloorContact, Start};
+use crate::scene::{Facts, Floor, FloorContact, GridSettings, Soft, Start};
 
 const CONTACT_TIME: f64 = 1e-5;
 
@@ -18,16 +18,16 @@ fn scene(n: usize, restitution: f64, width: f64, integrator: Integrator, steps: 
         start: Start::Resting,
         gravity: Some(9.81),
         floor: Floor::Fixed,
-        method: Method::Md {
+        method: Method::Soft(Soft {
             law: Law::Hooke {
                 contact_time: CONTACT_TIME,
             },
-            solver: Solver::Grid {
+            solver: Solver::Grid(GridSettings {
                 integrator,
                 steps_per_contact: steps,
-            },
+            }),
             attraction: true,
-        },
+        }),
         duration: Some(1.0),
     })
     .expect("a valid scene")

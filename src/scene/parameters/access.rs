@@ -4,8 +4,8 @@ use super::Value;
 use super::rows::TC;
 use crate::math;
 use crate::scene::{
-    Arrangement, CollisionRule, Exponents, Facts, Floor, Law, Method, PowerLaw, Solver, Start,
-    angular,
+    Arrangement, CollisionRule, Exponents, Facts, Floor, GridSettings, Launch, Law, Method,
+    PowerLaw, Shake, Soft, Solver, Start, angular,
 };
 
 // The table hands over values of the row's own kind only.
@@ -37,7 +37,7 @@ pub(super) fn choice(value: Value, put: impl FnOnce(&'static str)) {
 /// s₀, v₀ and jitter of a separated start.
 pub(super) fn separated(facts: &Facts) -> Option<(f64, f64, bool)> {
     match facts.start {
-        Start::Separated { s0, jitter, v0 } => Some((s0, v0, jitter)),
+        Start::Launched(Launch { s0, jitter, v0 }) => Some((s0, v0, jitter)),
         Start::Resting => None,
     }
 }
@@ -61,20 +61,20 @@ pub(super) fn tangential(facts: &Facts) -> Option<f64> {
 /// Whether the attraction of soft contacts acts.
 pub(super) fn attraction(facts: &Facts) -> Option<bool> {
     match facts.method {
-        Method::Md { attraction, .. } => Some(attraction),
-        Method::Ed { .. } => None,
+        Method::Soft(Soft { attraction, .. }) => Some(attraction),
+        Method::Hard(_) => None,
     }
 }
 
 /// Steps in a contact time of soft contacts on a grid.
 pub(super) fn steps(facts: &Facts) -> Option<f64> {
     match facts.method {
-        Method::Md {
-            solver: Solver::Grid {
+        Method::Soft(Soft {
+            solver: Solver::Grid(GridSettings {
                 steps_per_contact, ..
-            },
+            }),
             ..
-        } => Some(steps_per_contact),
+        }) => Some(steps_per_contact),
         _ => None,
     }
 }
@@ -82,10 +82,10 @@ pub(super) fn steps(facts: &Facts) -> Option<f64> {
 /// Amplitude and frequency of a vibrating floor.
 pub(super) fn plate(facts: &Facts) -> Option<(f64, f64)> {
     match facts.floor {
-        Floor::Vibrating {
+        Floor::Vibrating(Shake {
             amplitude,
             frequency,
-        } => Some((amplitude, frequency)),
+        }) => Some((amplitude, frequency)),
         Floor::Fixed => None,
     }
 }
@@ -99,13 +99,11 @@ pub(super) fn contact_time(facts: &Facts) -> Option<f64> {
 }
 
 pub(super) fn set_contact_time(facts: &mut Facts, to: f64) {
-    if let Method::Md {
+    if let Method::Soft(Soft {
         law: Law::Hooke { contact_time },
         ..
-    }
-    | Method::Ed {
-        rule: CollisionRule::Tc { contact_time },
-    } = &mut facts.method
+    })
+    | Method::Hard(CollisionRule::Tc { contact_time }) = &mut facts.method
     {
         *contact_time = to;
     }
@@ -114,20 +112,20 @@ pub(super) fn set_contact_time(facts: &mut Facts, to: f64) {
 /// The power law in force.
 pub(super) fn power(facts: &Facts) -> Option<PowerLaw> {
     match facts.method {
-        Method::Md {
+        Method::Soft(Soft {
             law: Law::Power(power),
             ..
-        } => Some(power),
+        }) => Some(power),
         _ => None,
     }
 }
 
 /// Changes the power law in force.
 pub(super) fn set_power(facts: &mut Facts, change: impl FnOnce(&mut PowerLaw)) {
-    if let Method::Md {
+    if let Method::Soft(Soft {
         law: Law::Power(power),
         ..
-    } = &mut facts.method
+    }) = &mut facts.method
     {
         change(power);
     }
@@ -158,22 +156,22 @@ pub(super) fn set_exponents(facts: &mut Facts, beta: Option<f64>, gamma: Option<
 /// Tolerance of the adaptive method.
 pub(super) fn tolerance(facts: &Facts) -> Option<f64> {
     match facts.method {
-        Method::Md {
+        Method::Soft(Soft {
             solver: Solver::Adaptive { tolerance },
             ..
-        } => Some(tolerance),
+        }) => Some(tolerance),
         _ => None,
     }
 }
 
 pub(super) fn set_amplitude(facts: &mut Facts, to: f64) {
-    if let Floor::Vibrating { amplitude, .. } = &mut facts.floor {
+    if let Floor::Vibrating(Shake { amplitude, .. }) = &mut facts.floor {
         *amplitude = to;
     }
 }
 
 pub(super) fn set_frequency(facts: &mut Facts, to: f64) {
-    if let Floor::Vibrating { frequency, .. } = &mut facts.floor {
+    if let Floor::Vibrating(Shake { frequency, .. }) = &mut facts.floor {
         *frequency = to;
     }
 }
@@ -187,7 +185,7 @@ pub(super) fn set_alpha(facts: &mut Facts, alpha: f64) {
 
 /// The TC rule starts without a contact time: NaN, "not given yet".
 pub(super) fn set_rule(facts: &mut Facts, word: &str) {
-    if let Method::Ed { rule } = &mut facts.method {
+    if let Method::Hard(rule) = &mut facts.method {
         *rule = match (word, *rule) {
             (TC, CollisionRule::Lrv) => CollisionRule::Tc {
                 contact_time: f64::NAN,

@@ -8,7 +8,7 @@ use super::access::{
     set_rule, steps, tolerance, whole,
 };
 use super::{Kind, Parameter, Scale, Value};
-use crate::scene::{CollisionRule, Method, Solver, Start};
+use crate::scene::{CollisionRule, GridSettings, Launch, Method, Soft, Solver, Start};
 
 /// The largest seed that a JSON number holds exactly.
 const LARGEST_SEED: u64 = 1 << 53;
@@ -163,7 +163,7 @@ pub(super) static ROWS: &[Parameter] = &[
         get: |facts| separated(facts).map(|(s0, _, _)| Value::Number(s0)),
         set: |facts, value| {
             number(value, |x| {
-                if let Start::Separated { s0, .. } = &mut facts.start {
+                if let Start::Launched(Launch { s0, .. }) = &mut facts.start {
                     *s0 = x;
                 }
             });
@@ -191,7 +191,7 @@ pub(super) static ROWS: &[Parameter] = &[
         get: |facts| separated(facts).map(|(_, v0, _)| Value::Number(v0)),
         set: |facts, value| {
             number(value, |x| {
-                if let Start::Separated { v0, .. } = &mut facts.start {
+                if let Start::Launched(Launch { v0, .. }) = &mut facts.start {
                     *v0 = x;
                 }
             });
@@ -209,7 +209,7 @@ pub(super) static ROWS: &[Parameter] = &[
         get: |facts| separated(facts).map(|(_, _, jitter)| Value::Flag(jitter)),
         set: |facts, value| {
             flag(value, |on| {
-                if let Start::Separated { jitter, .. } = &mut facts.start {
+                if let Start::Launched(Launch { jitter, .. }) = &mut facts.start {
                     *jitter = on;
                 }
             });
@@ -292,13 +292,13 @@ pub(super) static ROWS: &[Parameter] = &[
         get: |facts| steps(facts).map(Value::Number),
         set: |facts, value| {
             number(value, |x| {
-                if let Method::Md {
+                if let Method::Soft(Soft {
                     solver:
-                        Solver::Grid {
+                        Solver::Grid(GridSettings {
                             steps_per_contact, ..
-                        },
+                        }),
                     ..
-                } = &mut facts.method
+                }) = &mut facts.method
                 {
                     *steps_per_contact = x;
                 }
@@ -324,10 +324,10 @@ pub(super) static ROWS: &[Parameter] = &[
         get: |facts| tolerance(facts).map(Value::Number),
         set: |facts, value| {
             number(value, |x| {
-                if let Method::Md {
+                if let Method::Soft(Soft {
                     solver: Solver::Adaptive { tolerance },
                     ..
-                } = &mut facts.method
+                }) = &mut facts.method
                 {
                     *tolerance = x;
                 }
@@ -343,13 +343,9 @@ pub(super) static ROWS: &[Parameter] = &[
         kind: Kind::Choice(&[LRV, TC]),
         belongs_to: HARD,
         get: |facts| match facts.method {
-            Method::Ed {
-                rule: CollisionRule::Lrv,
-            } => Some(Value::Choice(LRV)),
-            Method::Ed {
-                rule: CollisionRule::Tc { .. },
-            } => Some(Value::Choice(TC)),
-            Method::Md { .. } => None,
+            Method::Hard(CollisionRule::Lrv) => Some(Value::Choice(LRV)),
+            Method::Hard(CollisionRule::Tc { .. }) => Some(Value::Choice(TC)),
+            Method::Soft(Soft { .. }) => None,
         },
         set: |facts, value| choice(value, |word| set_rule(facts, word)),
         ..ROW

@@ -4,7 +4,7 @@ mod typing;
 
 use super::*;
 use crate::scene::validate::example;
-use crate::scene::{Arrangement, Floor, MethodName, Scene, Start};
+use crate::scene::{Arrangement, Floor, Launch, MethodName, Scene, Shake, Start};
 
 fn example_scene() -> Scene {
     Scene::new(example()).expect("the example is a scene")
@@ -15,10 +15,10 @@ fn shaken() -> Scene {
     Scene::new(Facts {
         start: Start::Resting,
         gravity: Some(9.81),
-        floor: Floor::Vibrating {
+        floor: Floor::Vibrating(Shake {
             amplitude: 1e-3,
             frequency: 20.0,
-        },
+        }),
         duration: Some(1.0),
         ..example()
     })
@@ -53,7 +53,7 @@ fn layered(scene: &Scene, pairs: &[(&str, &str)]) -> Result<Scene, SceneError> {
 /// The bits of a scene's amplitude.
 fn amplitude(scene: &Scene) -> f64 {
     match scene.floor {
-        Floor::Vibrating { amplitude, .. } => amplitude,
+        Floor::Vibrating(Shake { amplitude, .. }) => amplitude,
         Floor::Fixed => f64::NAN,
     }
 }
@@ -137,15 +137,15 @@ fn a_scene_is_refused_by_field_when_its_facts_do_not_go_together() {
         start: Start::Resting,
         ..example()
     };
-    let plate = Floor::Vibrating {
+    let plate = Floor::Vibrating(Shake {
         amplitude: 1e-3,
         frequency: 20.0,
-    };
-    let rising = Start::Separated {
+    });
+    let rising = Start::Launched(Launch {
         s0: 0.0,
         jitter: false,
         v0: 0.1,
-    };
+    });
     for (facts, field) in [
         (resting, "start"),
         (

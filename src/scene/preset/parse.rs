@@ -7,8 +7,8 @@ use crate::scene::parameters::{self, Kind, Parameter, Setting, Value};
 use crate::scene::validate::check_frame;
 use crate::scene::words::{did_you_mean, one_line, quote};
 use crate::scene::{
-    Arrangement, Facts, Floor, FloorContact, Law, Method, MethodName, Scene, SceneError, Solver,
-    Start,
+    Arrangement, Facts, Floor, FloorContact, Launch, Law, Method, MethodName, Scene, SceneError,
+    Shake, Soft, Solver, Start,
 };
 use toml::de::DeValue;
 
@@ -186,27 +186,27 @@ fn frame(entries: &Entries) -> Result<Facts, PresetError> {
         floor_contact: FloorContact::SameSpring,
         start: match start {
             "resting" => Start::Resting,
-            _ => Start::Separated {
+            _ => Start::Launched(Launch {
                 s0: f64::NAN,
                 jitter: false,
                 v0: f64::NAN,
-            },
+            }),
         },
         gravity,
         floor: match floor {
-            "vibrating" => Floor::Vibrating {
+            "vibrating" => Floor::Vibrating(Shake {
                 amplitude: f64::NAN,
                 frequency: f64::NAN,
-            },
+            }),
             _ => Floor::Fixed,
         },
-        method: Method::Md {
+        method: Method::Soft(Soft {
             law: Law::Hooke {
                 contact_time: f64::NAN,
             },
             solver: Solver::Exact,
             attraction: true,
-        },
+        }),
         duration: gravity.map(|_| DEFAULT_DURATION),
     };
     Ok(facts.under(MethodName::find(method).unwrap_or(MethodName::Gear)))

@@ -3,7 +3,7 @@
 use super::{Kind, Question};
 use crate::physics::{Observation, spectrum};
 use crate::scene::parameters::Value;
-use crate::scene::{Integrator, Law, Method, MethodName, Scene, Solver};
+use crate::scene::{GridSettings, Integrator, Law, Method, MethodName, Scene, Soft, Solver};
 use crate::study::fit::median;
 use crate::study::{Drive, Results, RunError, Tell, in_time, measure, vary};
 use std::time::{Duration, Instant};
@@ -102,14 +102,14 @@ fn on_grid_of(asked: &Scene, scene: Scene) -> Option<Scene> {
 
 fn grid(scene: &Scene) -> Option<(Integrator, f64)> {
     match scene.method {
-        Method::Md {
+        Method::Soft(Soft {
             solver:
-                Solver::Grid {
+                Solver::Grid(GridSettings {
                     integrator,
                     steps_per_contact,
-                },
+                }),
             ..
-        } => Some((integrator, steps_per_contact)),
+        }) => Some((integrator, steps_per_contact)),
         _ => None,
     }
 }

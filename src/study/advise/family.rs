@@ -4,7 +4,7 @@ use super::{AdviseError, Against, Kind, Question};
 use crate::math;
 use crate::scene::parameters::{Setting, Value, named};
 use crate::scene::preset::Preset;
-use crate::scene::{Law, MethodName, Scene, SceneError, Start};
+use crate::scene::{Launch, Law, MethodName, Scene, SceneError, Start};
 use crate::study::vary;
 
 /// A contact time for a scene that has none, s; it is varied anyway.
@@ -150,7 +150,7 @@ impl Family {
     /// s_0/|v_0| of a launched column whose beads do not touch, s.
     fn flight(&self) -> Option<f64> {
         match self.base.start {
-            Start::Separated { s0, v0, .. } if v0 != 0.0 && s0 > 0.0 => Some(s0 / v0.abs()),
+            Start::Launched(Launch { s0, v0, .. }) if v0 != 0.0 && s0 > 0.0 => Some(s0 / v0.abs()),
             _ => None,
         }
     }

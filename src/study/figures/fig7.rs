@@ -5,7 +5,7 @@ use super::runs::{decades, largest, preset, results, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::angular;
 use crate::scene::parameters::Value;
-use crate::scene::{Facts, MethodName, Scene, Start};
+use crate::scene::{Facts, Launch, MethodName, Scene, Start};
 use crate::study::Results;
 use crate::study::accuracy::facts;
 use crate::study::fit::median;
@@ -58,11 +58,11 @@ impl Job {
         // The paper does not say how it starts. From rest a column may find an orbit in
         // which it lands gently, as one body, for ever.
         let start = match self.start {
-            Begin::Apart => Start::Separated {
+            Begin::Apart => Start::Launched(Launch {
                 s0: plain.diameter,
                 jitter: false,
                 v0: 0.0,
-            },
+            }),
             Begin::Rest => Start::Resting,
         };
         Ok(Scene::new(Facts {

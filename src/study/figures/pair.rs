@@ -4,7 +4,8 @@ use super::FigureError;
 use super::runs::{looks, results};
 use crate::math;
 use crate::scene::{
-    Arrangement, Exponents, Facts, Floor, FloorContact, Law, Method, PowerLaw, Scene, Solver, Start,
+    Arrangement, Exponents, Facts, Floor, FloorContact, Launch, Law, Method, PowerLaw, Scene, Soft,
+    Solver, Start,
 };
 
 /// Tolerance of the adaptive method.
@@ -56,20 +57,20 @@ fn scene(law: PowerLaw, speed: f64) -> Result<Scene, FigureError> {
         // It follows from the law.
         restitution: 1.0,
         floor_contact: FloorContact::SameRestitution,
-        start: Start::Separated {
+        start: Start::Launched(Launch {
             s0: 0.0,
             jitter: false,
             v0: -speed,
-        },
+        }),
         gravity: None,
         floor: Floor::Fixed,
-        method: Method::Md {
+        method: Method::Soft(Soft {
             law: Law::Power(law),
             solver: Solver::Adaptive {
                 tolerance: TOLERANCE,
             },
             attraction: true,
-        },
+        }),
         duration: None,
     })?)
 }

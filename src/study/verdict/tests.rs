@@ -71,7 +71,8 @@ fn is_steady(name: &str, word: Word) {
         let followed = soft.follow(periods, watch).is_ok() && hard.follow(periods, watch).is_ok();
         assert!(followed, "{name}: no end of {periods} periods");
         let Preset { scene, .. } = Preset::load(name).expect("embedded");
-        let crate::scene::Floor::Vibrating { amplitude, .. } = scene.floor else {
+        let crate::scene::Floor::Vibrating(crate::scene::Shake { amplitude, .. }) = scene.floor
+        else {
             panic!("{name} stands on a plate");
         };
         let Ok(compared) = soft.means(&hard, amplitude) else {

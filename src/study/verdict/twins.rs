@@ -2,7 +2,7 @@
 
 use super::column::{Column, Missing, SLICES};
 use super::{LIKELY, Quantity, SURE, Verdict, decide};
-use crate::scene::{CollisionRule, Facts, Floor, Method, MethodName, Scene, SceneError};
+use crate::scene::{CollisionRule, Facts, Floor, Method, MethodName, Scene, SceneError, Shake};
 use crate::study::{RunError, Watch};
 
 /// Periods of the first look at the means; every next is after twice as many.
@@ -32,7 +32,7 @@ pub fn verdict(scene: &Scene, watch: &mut Watch) -> Result<Verdict, RunError> {
     };
     let compared = match (scene.gravity, scene.floor) {
         (None, _) => launched(scene, &mut columns, watch),
-        (Some(_), Floor::Vibrating { amplitude, .. }) if amplitude > 0.0 => {
+        (Some(_), Floor::Vibrating(Shake { amplitude, .. })) if amplitude > 0.0 => {
             shaken(amplitude, &mut columns, watch)
         }
         _ => falling(&mut columns, watch),
@@ -54,9 +54,7 @@ pub(super) fn columns(scene: &Scene, allowed: u64) -> Result<[Column; 2], SceneE
         scene.clone()
     };
     let hard = Facts {
-        method: Method::Ed {
-            rule: CollisionRule::Lrv,
-        },
+        method: Method::Hard(CollisionRule::Lrv),
         ..scene.facts().clone()
     };
     Ok([

@@ -6,7 +6,9 @@ use std::cell::OnceCell;
 use crate::live::reference;
 use crate::physics::spectrum::too_few_steps;
 use crate::scene::parameters::{self, Parameter, Setting, Value, table};
-use crate::scene::{Facts, Law, Method, MethodName, Preset, Scene, SceneError, Solver};
+use crate::scene::{
+    Facts, GridSettings, Law, Method, MethodName, Preset, Scene, SceneError, Soft, Solver,
+};
 
 /// Edits that can be undone.
 const UNDO: usize = 200;
@@ -269,11 +271,11 @@ impl Bench {
     /// The scene with the steps, or the tolerance, that were last in force.
     fn as_before(&self, scene: &Scene) -> Result<Scene, SceneError> {
         let mut facts = scene.facts().clone();
-        if let Method::Md { solver, .. } = &mut facts.method {
+        if let Method::Soft(Soft { solver, .. }) = &mut facts.method {
             match solver {
-                Solver::Grid {
+                Solver::Grid(GridSettings {
                     steps_per_contact, ..
-                } => *steps_per_contact = self.steps.unwrap_or(*steps_per_contact),
+                }) => *steps_per_contact = self.steps.unwrap_or(*steps_per_contact),
                 Solver::Adaptive { tolerance } => {
                     *tolerance = self.tolerance.unwrap_or(*tolerance);
                 }
@@ -358,17 +360,17 @@ impl Bench {
             };
             *memory = Some(scene.method);
             match scene.method {
-                Method::Md {
+                Method::Soft(Soft {
                     solver:
-                        Solver::Grid {
+                        Solver::Grid(GridSettings {
                             steps_per_contact, ..
-                        },
+                        }),
                     ..
-                } => self.steps = Some(steps_per_contact),
-                Method::Md {
+                }) => self.steps = Some(steps_per_contact),
+                Method::Soft(Soft {
                     solver: Solver::Adaptive { tolerance },
                     ..
-                } => self.tolerance = Some(tolerance),
+                }) => self.tolerance = Some(tolerance),
                 _ => {}
             }
         }

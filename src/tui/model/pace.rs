@@ -1,7 +1,7 @@
 //! How long a page is, and how fast simulated time goes.
 
 use crate::math;
-use crate::scene::{Floor, Scene, Start};
+use crate::scene::{Floor, Launch, Scene, Shake, Start};
 
 /// A speed of the ladder 1, 2, 5, 10 … in simulated seconds in a second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -80,7 +80,7 @@ pub fn span(scenes: &[Scene], cells: u16) -> f64 {
         return 1.0;
     };
     let span = match (scene.floor, scene.gravity) {
-        (Floor::Vibrating { frequency, .. }, _) => periods(cells) / frequency,
+        (Floor::Vibrating(Shake { frequency, .. }), _) => periods(cells) / frequency,
         (Floor::Fixed, Some(gravity)) => bounces(scene, gravity),
         (Floor::Fixed, None) => collision(scenes),
     };
@@ -138,7 +138,7 @@ fn collision(scenes: &[Scene]) -> f64 {
 
 fn separated(scene: &Scene) -> (f64, f64) {
     match scene.start {
-        Start::Separated { s0, v0, .. } => (s0, v0),
+        Start::Launched(Launch { s0, v0, .. }) => (s0, v0),
         Start::Resting => (0.0, 0.0),
     }
 }

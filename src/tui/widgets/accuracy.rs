@@ -11,7 +11,7 @@ use super::text::{columns, fitted, line};
 use super::trace::clear;
 use crate::live::{Accuracy, Status};
 use crate::math;
-use crate::scene::{Method, Solver};
+use crate::scene::{Method, Soft, Solver};
 use crate::tui::model::{Model, Notice};
 use crate::tui::numbers::{clock, scientific, short, with_unit};
 
@@ -66,10 +66,10 @@ fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
     let reference = model.bench.references().get(side);
     let against = match reference {
         Some(Ok(scene)) => match scene.method {
-            Method::Md {
+            Method::Soft(Soft {
                 solver: Solver::Adaptive { tolerance },
                 ..
-            } => format!("tolerance {tolerance:.0e}"),
+            }) => format!("tolerance {tolerance:.0e}"),
             _ => "exact".to_owned(),
         },
         _ => return (Vec::new(), theme.quiet()),

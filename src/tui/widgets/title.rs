@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::text::{columns, line};
-use crate::scene::{CollisionRule, Integrator, LawName, Method, Solver};
+use crate::scene::{CollisionRule, GridSettings, Integrator, LawName, Method, Soft, Solver};
 use crate::tui::model::Model;
 use crate::tui::numbers::scientific;
 
@@ -61,54 +61,46 @@ pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
 /// `Gear, t_c/100`; `adaptive, 1e-10`.
 fn with_numbers(method: &Method) -> String {
     match method {
-        Method::Md {
+        Method::Soft(Soft {
             solver: Solver::Exact,
             ..
-        } => "exact".to_owned(),
-        Method::Md {
+        }) => "exact".to_owned(),
+        Method::Soft(Soft {
             solver: Solver::Adaptive { tolerance },
             ..
-        } => format!("adaptive, {}", power_of_ten(*tolerance)),
-        Method::Md {
+        }) => format!("adaptive, {}", power_of_ten(*tolerance)),
+        Method::Soft(Soft {
             solver:
-                Solver::Grid {
+                Solver::Grid(GridSettings {
                     integrator,
                     steps_per_contact,
-                },
+                }),
             ..
-        } => {
+        }) => {
             let steps = (steps_per_contact * 1e6).round() / 1e6;
             format!("{}, t_c/{steps}", integrator_name(*integrator))
         }
-        Method::Ed {
-            rule: CollisionRule::Lrv,
-        } => "hard spheres".to_owned(),
-        Method::Ed {
-            rule: CollisionRule::Tc { .. },
-        } => "hard spheres, rule tc".to_owned(),
+        Method::Hard(CollisionRule::Lrv) => "hard spheres".to_owned(),
+        Method::Hard(CollisionRule::Tc { .. }) => "hard spheres, rule tc".to_owned(),
     }
 }
 
 fn in_short(method: &Method) -> String {
     let how = match method {
-        Method::Md {
+        Method::Soft(Soft {
             solver: Solver::Exact,
             ..
-        } => "exact",
-        Method::Md {
+        }) => "exact",
+        Method::Soft(Soft {
             solver: Solver::Adaptive { .. },
             ..
-        } => "adaptive",
-        Method::Md {
-            solver: Solver::Grid { integrator, .. },
+        }) => "adaptive",
+        Method::Soft(Soft {
+            solver: Solver::Grid(GridSettings { integrator, .. }),
             ..
-        } => integrator_name(*integrator),
-        Method::Ed {
-            rule: CollisionRule::Lrv,
-        } => "hard spheres",
-        Method::Ed {
-            rule: CollisionRule::Tc { .. },
-        } => "rule tc",
+        }) => integrator_name(*integrator),
+        Method::Hard(CollisionRule::Lrv) => "hard spheres",
+        Method::Hard(CollisionRule::Tc { .. }) => "rule tc",
     };
     with_law(how.to_owned(), method)
 }
@@ -121,7 +113,7 @@ fn integrator_name(integrator: Integrator) -> &'static str {
 }
 
 fn with_law(how: String, method: &Method) -> String {
-    let Method::Md { law, .. } = method else {
+    let Method::Soft(Soft { law, .. }) = method else {
         return how;
     };
     let law = match law.name() {

@@ -6,7 +6,7 @@ use crate::scene::parameters::access::{
     set_exponents, set_power,
 };
 use crate::scene::parameters::{Kind, Parameter, Scale, Value};
-use crate::scene::{FloorContact, LawName, Method};
+use crate::scene::{FloorContact, LawName, Method, Soft};
 
 const SAME_SPRING: &str = "same-spring";
 const SAME_RESTITUTION: &str = "same-restitution";
@@ -181,7 +181,7 @@ pub(super) const ATTRACTION: Parameter = Parameter {
     get: |facts| attraction(facts).map(Value::Flag),
     set: |facts, value| {
         flag(value, |on| {
-            if let Method::Md { attraction, .. } = &mut facts.method {
+            if let Method::Soft(Soft { attraction, .. }) = &mut facts.method {
                 *attraction = on;
             }
         });
