@@ -8,6 +8,7 @@
 mod adaptive;
 mod bounce;
 mod column;
+mod contact_law;
 mod contacts;
 mod course;
 mod ed;
@@ -33,7 +34,7 @@ pub use linear_law::{LinearLaw, floor_restitution};
 pub use observation::{Discs, Energies, Energy, Integrals, Observation};
 pub use state::{Handover, State};
 
-use crate::scene::{GridSettings, Method, Scene, Soft, Solver};
+use crate::scene::{Method, Scene, Solver};
 
 /// Why an engine cannot go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -183,18 +184,11 @@ fn unsteered(scene: &Scene, state: State) -> Box<dyn Engine> {
         return lattice::build(scene, sites, state);
     }
     match scene.method {
-        Method::Soft(Soft {
-            solver: Solver::Grid(GridSettings { .. }),
-            ..
-        }) => md::build(scene, state),
-        Method::Soft(Soft {
-            solver: Solver::Exact,
-            ..
-        }) => exact::build(scene, state),
-        Method::Soft(Soft {
-            solver: Solver::Adaptive { tolerance },
-            ..
-        }) => adaptive::build(scene, tolerance, state),
+        Method::Soft(soft) => match soft.solver {
+            Solver::Grid(_) => md::build(scene, state),
+            Solver::Exact => exact::build(scene, state),
+            Solver::Adaptive { tolerance } => adaptive::build(scene, tolerance, state),
+        },
         Method::Hard(_) => ed::build(scene, state),
     }
 }

@@ -10,6 +10,7 @@ pub mod lattice;
 mod law;
 mod method;
 pub mod parameters;
+mod parts;
 pub mod preset;
 mod start;
 mod validate;
@@ -19,10 +20,10 @@ pub use encounter::rebound;
 pub use error::SceneError;
 pub use law::{Exponents, Law, LawName, PowerLaw};
 pub use method::MethodName;
+pub use parts::{GridSettings, Launch, Shake, Soft};
 pub use preset::Preset;
 pub use start::{diameters, initial_gaps};
 
-use crate::math;
 use std::ops::Deref;
 
 /// How the column starts.
@@ -32,17 +33,6 @@ pub enum Start {
     Launched(Launch),
     /// At rest on the floor and moving with it, contacts in static equilibrium.
     Resting,
-}
-
-/// How a column is launched.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Launch {
-    /// Separation s₀ between neighbours, and of bead 1 from the floor, m; ≥ 0.
-    pub s0: f64,
-    /// Shift every bead at random (seeded) by up to ±s₀/2, as in Fig. 2(a).
-    pub jitter: bool,
-    /// Common velocity v₀, m/s; negative towards the floor.
-    pub v0: f64,
 }
 
 /// How the beads are arranged.
@@ -66,15 +56,6 @@ pub enum Floor {
     Fixed,
     /// A plate that moves as z₀(t) = A₀ sin(2πft), Eq. (1).
     Vibrating(Shake),
-}
-
-/// How a plate vibrates.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shake {
-    /// Amplitude A₀, m.
-    pub amplitude: f64,
-    /// Frequency f, Hz.
-    pub frequency: f64,
 }
 
 /// What the contact of bead 1 with the floor shares with a contact of two beads.
@@ -112,15 +93,6 @@ pub enum Solver {
     },
 }
 
-/// A fixed grid of time steps.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GridSettings {
-    /// The integrator.
-    pub integrator: Integrator,
-    /// Time steps in one contact time.
-    pub steps_per_contact: f64,
-}
-
 /// How collisions that happen very soon after one another lose energy (ED).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CollisionRule {
@@ -134,6 +106,19 @@ pub enum CollisionRule {
     },
 }
 
+impl CollisionRule {
+    /// As they are typed.
+    pub const WORDS: &[&str] = &["lrv", "tc"];
+
+    /// As it is typed.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Lrv => "lrv",
+            Self::Tc { .. } => "tc",
+        }
+    }
+}
+
 /// How the column is moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
@@ -141,17 +126,6 @@ pub enum Method {
     Soft(Soft),
     /// Hard collisions, event driven: which of them lose energy.
     Hard(CollisionRule),
-}
-
-/// Soft contacts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Soft {
-    /// The force of a contact.
-    pub law: Law,
-    /// How their motion is computed.
-    pub solver: Solver,
-    /// Whether the short attractive end of a contact acts (the paper's law).
-    pub attraction: bool,
 }
 
 /// The facts of a scene, before they are checked.
@@ -200,16 +174,7 @@ impl Deref for Scene {
 impl Facts {
     /// Reduced acceleration α = A₀(2πf)²/g of a vibrating floor.
     pub fn alpha(&self) -> Option<f64> {
-        match (self.floor, self.gravity) {
-            (
-                Floor::Vibrating(Shake {
-                    amplitude,
-                    frequency,
-                }),
-                Some(gravity),
-            ) => Some(amplitude * math::powi(angular(frequency), 2) / gravity),
-            _ => None,
-        }
+        Some(self.shake()?.acceleration() / self.gravity?)
     }
 
     /// Contact time t_c, s, of a scene that has one. Under a power law, where it depends
@@ -217,52 +182,28 @@ impl Facts {
     /// Eq. (A2), by which steps are counted and σ is taken.
     pub fn contact_time(&self) -> Option<f64> {
         match self.method {
-            Method::Soft(Soft {
-                law: Law::Hooke { contact_time },
-                ..
-            })
-            | Method::Hard(CollisionRule::Tc { contact_time }) => Some(contact_time),
-            Method::Soft(Soft {
-                law: Law::Power(power),
-                ..
-            }) => Some(power.contact_time(self.own_speed())),
+            Method::Soft(soft) => Some(soft.law.contact_time(self.own_speed())),
+            Method::Hard(CollisionRule::Tc { contact_time }) => Some(contact_time),
             Method::Hard(CollisionRule::Lrv) => None,
-        }
-    }
-
-    /// The law of soft contacts.
-    pub fn law(&self) -> Option<Law> {
-        match self.method {
-            Method::Soft(Soft { law, .. }) => Some(law),
-            Method::Hard(_) => None,
         }
     }
 
     /// The speed, m/s, at which the beads of this scene meet, roughly: |v₀| of a launched
     /// column, else the plate's largest speed, else that of a fall by a diameter, √(gd).
     pub fn own_speed(&self) -> f64 {
-        if let Start::Launched(Launch { v0, .. }) = self.start
-            && v0 != 0.0
-        {
-            return v0.abs();
-        }
-        match self.floor {
-            Floor::Vibrating(Shake {
-                amplitude,
-                frequency,
-            }) if amplitude != 0.0 => amplitude * angular(frequency),
-            _ => (self.gravity.unwrap_or(f64::NAN) * self.diameter).sqrt(),
-        }
+        let moving = |speed: &f64| *speed != 0.0;
+        let launched = self.launch().map(|launch| launch.v0.abs());
+        let shaken = || self.shake().map(Shake::speed);
+        launched
+            .filter(moving)
+            .or_else(|| shaken().filter(moving))
+            .unwrap_or_else(|| (self.gravity.unwrap_or(f64::NAN) * self.diameter).sqrt())
     }
 
     /// Nominal σ₀ = s₀/(|v₀| t_c) before a floor collision.
     pub fn sigma0(&self) -> Option<f64> {
-        match self.start {
-            Start::Launched(Launch { s0, v0, .. }) if v0 != 0.0 => {
-                Some(s0 / (v0.abs() * self.contact_time()?))
-            }
-            _ => None,
-        }
+        let Launch { s0, v0, .. } = self.launch().filter(|launch| launch.v0 != 0.0)?;
+        Some(s0 / (v0.abs() * self.contact_time()?))
     }
 
     /// Beads above one another: all of a column, the rows of a lattice.
@@ -272,15 +213,18 @@ impl Facts {
 
     /// Period of the plate, s.
     pub fn period(&self) -> Option<f64> {
-        match self.floor {
-            Floor::Vibrating(Shake { frequency, .. }) => Some(1.0 / frequency),
-            Floor::Fixed => None,
-        }
+        self.shake().map(|shake| 1.0 / shake.frequency)
+    }
+
+    /// Whether restitution and contact time follow from the law of soft contacts, and
+    /// depend on the speed ([`Law::depends_on_speed`]).
+    pub fn depends_on_speed(&self) -> bool {
+        self.law().is_some_and(|law| law.depends_on_speed())
     }
 
     /// Whether the beads move by soft contacts.
     pub fn is_md(&self) -> bool {
-        matches!(self.method, Method::Soft(Soft { .. }))
+        self.soft().is_some()
     }
 }
 

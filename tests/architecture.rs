@@ -111,3 +111,23 @@ fn studies_know_no_face() {
     ];
     assert_eq!(mentions("study", &forbidden), Vec::<String>::new());
 }
+
+/// A law answers for itself: who names its variants elsewhere would silently do without a
+/// new one.
+#[test]
+fn two_files_name_the_contact_laws() {
+    let naming: Vec<PathBuf> = ["scene", "physics", "study", "live", "tui", "commands"]
+        .iter()
+        .flat_map(|name| room(name))
+        .filter(|file| !file.ends_with("tests.rs") && !file.iter().any(|part| part == "tests"))
+        .filter(|file| {
+            let text = fs::read_to_string(file).expect("a readable source file");
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            let in_law = file.ends_with("scene/law.rs");
+            code.contains("Law::Hooke") || code.contains("Law::Power") || in_law
+        })
+        .collect();
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let expected = ["scene/law.rs", "physics/contact_law.rs"].map(|file| source.join(file));
+    assert_eq!(naming, expected);
+}

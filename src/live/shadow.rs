@@ -9,7 +9,7 @@
 use std::time::{Duration, Instant};
 
 use super::runner::{Build, Runner};
-use crate::scene::{Facts, Law, Method, Scene, Soft, Solver};
+use crate::scene::{Facts, Method, Scene, Soft, Solver};
 
 /// Shadows work for this long between two looks at the orders.
 const SLICE: Duration = Duration::from_millis(4);
@@ -54,35 +54,26 @@ pub enum Accuracy {
 /// # Errors
 /// Why there is none, in a sentence.
 pub fn reference(scene: &Scene) -> Result<Scene, String> {
-    let Method::Soft(Soft {
-        law,
-        solver,
-        attraction,
-    }) = scene.method
-    else {
+    let Some(soft) = scene.soft() else {
         return Err("hard spheres are another model, and have no exact run".into());
     };
     if scene.sites().is_some() {
         return Err("a lattice has no exact run".into());
     }
-    let solver = match (law, solver) {
-        (Law::Hooke { .. }, _) => Solver::Exact,
-        (Law::Power(_), Solver::Adaptive { tolerance }) if tolerance <= TIGHTEST => {
+    let solver = match (soft.law.locating(), soft.solver) {
+        (Solver::Adaptive { .. }, Solver::Adaptive { tolerance }) if tolerance <= TIGHTEST => {
             return Err(format!(
                 "no tolerance is tighter than {tolerance:.0e}: no better run to compare with"
             ));
         }
-        (Law::Power(_), Solver::Adaptive { tolerance }) => Solver::Adaptive {
+        (Solver::Adaptive { .. }, Solver::Adaptive { tolerance }) => Solver::Adaptive {
             tolerance: (TIGHTER * tolerance).clamp(TIGHTEST, TIGHT),
         },
-        (Law::Power(_), _) => Solver::Adaptive { tolerance: TIGHT },
+        (Solver::Adaptive { .. }, _) => Solver::Adaptive { tolerance: TIGHT },
+        (exact, _) => exact,
     };
     Scene::new(Facts {
-        method: Method::Soft(Soft {
-            law,
-            solver,
-            attraction,
-        }),
+        method: Method::Soft(Soft { solver, ..soft }),
         ..scene.facts().clone()
     })
     .map_err(|error| error.to_string())

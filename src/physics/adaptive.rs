@@ -18,7 +18,7 @@ use super::moment::Moment;
 use super::observation::Observation;
 use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{Floor, Method, Scene, Shake, Soft};
+use crate::scene::{Floor, Scene};
 use chain::Chain;
 use stride::{Ahead, Motion};
 
@@ -34,7 +34,7 @@ const CREEPING: u64 = 300_000;
 pub(super) fn build(scene: &Scene, tolerance: f64, state: State) -> Box<dyn Engine> {
     let plate = state.plate;
     match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(Shake { .. }), gravity) => {
+        (Floor::Vibrating(_), gravity) => {
             let ground = Shaken::new(gravity.unwrap_or(0.0), plate);
             Adaptive::boxed(scene, tolerance, state, ground)
         }
@@ -80,13 +80,7 @@ impl<G: Ground + 'static> Adaptive<G> {
     fn boxed(scene: &Scene, tolerance: f64, state: State, ground: G) -> Box<dyn Engine> {
         let masses = masses(scene);
         let contact_time = scene.contact_time().unwrap_or(f64::NAN);
-        let attraction = matches!(
-            scene.method,
-            Method::Soft(Soft {
-                attraction: true,
-                ..
-            })
-        );
+        let attraction = scene.soft().is_some_and(|soft| soft.attraction);
         let fall = weight(scene) * contact_time;
         let chain = Chain::new(springs(scene, &masses), &masses, attraction, fall);
         let mut y = state.gaps.clone();

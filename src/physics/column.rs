@@ -1,9 +1,9 @@
 //! The beads: masses, and the constants of their contacts.
 
-use super::linear_law::{LinearLaw, pair_restitution, same_spring_floor};
+use super::linear_law::{pair_restitution, same_spring_floor};
 use super::power_law::Spring;
 use crate::math;
-use crate::scene::{FloorContact, Law, PowerLaw, Scene, diameters};
+use crate::scene::{FloorContact, Law, Scene, diameters};
 
 /// Masses of the beads of a scene, in mean bead masses (m ∝ d³).
 pub(crate) fn masses(scene: &Scene) -> Vec<f64> {
@@ -46,8 +46,7 @@ pub(crate) fn restitutions(scene: &Scene, masses: &[f64]) -> Vec<f64> {
 /// The least and the largest restitution of two neighbours in a column of unequal beads
 /// with linear contacts, which share K and D_n; none where all have the scene's own.
 pub fn restitution_range(scene: &Scene) -> Option<(f64, f64)> {
-    let linear = !matches!(scene.law(), Some(Law::Power(_)));
-    if scene.width == 0.0 || scene.n < 2 || !linear {
+    if scene.width == 0.0 || scene.n < 2 || scene.depends_on_speed() {
         return None;
     }
     let pairs = restitutions(scene, &masses(scene));
@@ -62,22 +61,14 @@ pub(crate) fn springs(scene: &Scene, masses: &[f64]) -> Vec<Spring> {
     let Some(law) = scene.law() else {
         return Vec::new();
     };
+    let law = law.in_powers(scene.restitution);
+    let pair_stiffness = 0.5 * law.stiffness;
     // Of a contact between masses of which `twice` the reduced one is given, Eqs. (3), (8).
-    let (spring, pair_stiffness): (Box<dyn Fn(f64, f64) -> Spring>, f64) = match law {
-        Law::Hooke { contact_time } => {
-            let law = LinearLaw::new(scene.restitution, contact_time);
-            let spring = move |stiffness, twice| Spring::linear(stiffness, law.mu() * twice);
-            (Box::new(spring), law.stiffness())
-        }
-        Law::Power(law) => {
-            let spring = move |stiffness, twice| Spring {
-                stiffness,
-                dashpot: law.damping * twice,
-                beta: law.exponents.beta(),
-                gamma: law.exponents.gamma(),
-            };
-            (Box::new(spring), 0.5 * law.stiffness)
-        }
+    let spring = |stiffness, twice| Spring {
+        stiffness,
+        dashpot: law.damping * twice,
+        beta: law.exponents.beta(),
+        gamma: law.exponents.gamma(),
     };
     let floor = match scene.floor_contact {
         FloorContact::SameSpring => spring(pair_stiffness, masses[0]),
@@ -89,13 +80,14 @@ pub(crate) fn springs(scene: &Scene, masses: &[f64]) -> Vec<Spring> {
         .collect()
 }
 
-/// The law of a contact by itself, in the terms of a pair of mean beads.
-pub(crate) fn alone(law: &PowerLaw, spring: &Spring, reduced: f64) -> PowerLaw {
-    PowerLaw {
-        stiffness: spring.stiffness / reduced,
-        damping: 0.5 * spring.dashpot / reduced,
-        ..*law
+/// The law of a contact by itself, in the terms of a pair of mean beads, where it is given
+/// in powers of the overlap.
+pub(crate) fn alone(mut law: Law, spring: &Spring, reduced: f64) -> Law {
+    if let Some(power) = law.power_mut() {
+        power.stiffness = spring.stiffness / reduced;
+        power.damping = 0.5 * spring.dashpot / reduced;
     }
+    law
 }
 
 /// A floor collision is over when what is to come cannot change E by this part of it.

@@ -26,7 +26,7 @@ use super::observation::Observation;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
-use crate::scene::{CollisionRule, Floor, Method, Scene, Shake};
+use crate::scene::{CollisionRule, Floor, Method, Scene};
 use closing::Closing;
 use pair::{Pair, pairs};
 use rule::{Always, LastCollisions, Rule};
@@ -39,7 +39,7 @@ const OVER: f64 = 1e-32;
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
     let plate = state.plate;
     match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(Shake { .. }), gravity) => {
+        (Floor::Vibrating(_), gravity) => {
             with_rule(scene, state, Shaken::new(gravity.unwrap_or(0.0), plate))
         }
         (Floor::Fixed, Some(gravity)) => {

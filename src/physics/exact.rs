@@ -29,7 +29,7 @@ use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
 use crate::math;
-use crate::scene::{Floor, Law, Method, Scene, Shake, Soft};
+use crate::scene::{Floor, Scene};
 use centre::Centre;
 use cluster::Plan;
 use crossing::ROWS;
@@ -54,7 +54,7 @@ const INSPECTION: u64 = 256;
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
     let plate = state.plate;
     match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(Shake { .. }), gravity) => {
+        (Floor::Vibrating(_), gravity) => {
             let ground = Shaken::new(gravity.unwrap_or(0.0), plate);
             Box::new(Exact::new(scene, state, ground))
         }
@@ -150,13 +150,8 @@ impl Room {
 
 impl<G: Ground> Exact<G> {
     fn new(scene: &Scene, state: State, ground: G) -> Self {
-        let Method::Soft(Soft {
-            law: Law::Hooke { contact_time },
-            attraction,
-            ..
-        }) = scene.method
-        else {
-            unreachable!("physics::build hands linear scenes to this room");
+        let (Some(soft), Some(contact_time)) = (scene.soft(), scene.contact_time()) else {
+            unreachable!("physics::build hands scenes of soft contacts to this room");
         };
         let n = scene.n;
         let masses = masses(scene);
@@ -169,7 +164,7 @@ impl<G: Ground> Exact<G> {
             springs,
             pull: weight(scene) + shake,
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
-            attraction,
+            attraction: soft.attraction,
             gravity: weight(scene),
             gaps: state.gaps.iter().zip(&state.rates).map(gap).collect(),
             modes: vec![Mode::Open; n],

@@ -2,7 +2,7 @@
 //! of a fixed step share, whatever they move.
 
 use super::{EngineError, Outcome};
-use crate::scene::{GridSettings, Integrator, Method, Scene, Soft, Solver};
+use crate::scene::{Integrator, Scene};
 
 /// Steps between two looks at the numbers themselves.
 pub(crate) const HOUSEKEEPING: u64 = 32;
@@ -18,32 +18,18 @@ pub(crate) struct Settings {
     /// t_c, s.
     pub contact_time: f64,
     pub steps_per_contact: f64,
-    pub attraction: bool,
 }
 
 impl Settings {
     /// Of a scene of soft contacts on a grid, as `physics::build` hands them out.
     pub fn of(scene: &Scene) -> Self {
-        let (
-            Method::Soft(Soft {
-                solver:
-                    Solver::Grid(GridSettings {
-                        integrator,
-                        steps_per_contact,
-                    }),
-                attraction,
-                ..
-            }),
-            Some(contact_time),
-        ) = (scene.method, scene.contact_time())
-        else {
+        let (Some(grid), Some(contact_time)) = (scene.grid(), scene.contact_time()) else {
             unreachable!("physics::build hands scenes on a grid to engines of fixed steps");
         };
         Self {
-            integrator,
+            integrator: grid.integrator,
             contact_time,
-            steps_per_contact,
-            attraction,
+            steps_per_contact: grid.steps_per_contact,
         }
     }
 

@@ -18,12 +18,12 @@ mod view;
 
 use super::Engine;
 use super::column::{masses, springs};
+use super::contact_law::{self, Build, ContactLaw};
 use super::grid::Settings;
-use super::md::{Law, Linear, Powered};
 use super::power_law::Spring;
 use super::state::State;
 use crate::scene::lattice::Sites;
-use crate::scene::{self, Arrangement, Integrator, Scene};
+use crate::scene::{Arrangement, Integrator, Scene};
 use engine::Lattice;
 use forces::{Laws, Rubbing, Smooth, Surface};
 use gear::Gear;
@@ -59,33 +59,33 @@ pub(super) fn build(scene: &Scene, sites: Sites, state: State) -> Box<dyn Engine
         settings,
         wait: 2.0 * scene.n as f64 * crossing.max(settings.contact_time),
     };
-    let power = matches!(scene.law(), Some(scene::Law::Power(_)));
-    match (power, settings.attraction) {
-        (false, true) => with_law(plane, state, Linear::<true>),
-        (false, false) => with_law(plane, state, Linear::<false>),
-        (true, true) => with_law(plane, state, Powered::<true>),
-        (true, false) => with_law(plane, state, Powered::<false>),
-    }
+    let soft = scene.soft().expect("the contacts of a lattice are soft");
+    contact_law::build(&soft, Parts { plane, state })
 }
 
-fn with_law<L: Law + 'static>(
+/// All that an engine is built of but the contact law.
+struct Parts {
     plane: Plane,
     state: State,
-    law: impl Fn(Spring) -> L,
-) -> Box<dyn Engine> {
-    let laws = Laws {
-        floor: law(plane.floor),
-        pair: law(plane.pair),
-    };
-    if plane.tangential == 0.0 {
-        with_surface(plane, state, laws, Smooth)
-    } else {
-        let rubbing = Rubbing(plane.tangential);
-        with_surface(plane, state, laws, rubbing)
+}
+
+impl Build for Parts {
+    fn under<L: ContactLaw + 'static>(self, law: impl Fn(Spring) -> L) -> Box<dyn Engine> {
+        let Self { plane, state } = self;
+        let laws = Laws {
+            floor: law(plane.floor),
+            pair: law(plane.pair),
+        };
+        if plane.tangential == 0.0 {
+            with_surface(plane, state, laws, Smooth)
+        } else {
+            let rubbing = Rubbing(plane.tangential);
+            with_surface(plane, state, laws, rubbing)
+        }
     }
 }
 
-fn with_surface<L: Law + 'static, S: Surface + 'static>(
+fn with_surface<L: ContactLaw + 'static, S: Surface + 'static>(
     plane: Plane,
     state: State,
     laws: Laws<L>,
@@ -97,7 +97,7 @@ fn with_surface<L: Law + 'static, S: Surface + 'static>(
     }
 }
 
-fn moved_by<M: Mover + 'static, L: Law + 'static, S: Surface + 'static>(
+fn moved_by<M: Mover + 'static, L: ContactLaw + 'static, S: Surface + 'static>(
     plane: Plane,
     state: State,
     laws: Laws<L>,

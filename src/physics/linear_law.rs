@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::column::{alone, masses, springs};
 use crate::math;
-use crate::scene::{FloorContact, Law, Method, Scene, Soft, diameters, rebound};
+use crate::scene::{FloorContact, Scene, diameters};
 
 /// The linear law of a pair of mean beads, from its restitution and contact time.
 ///
@@ -99,19 +99,13 @@ fn damped_rebound(mean: f64, share_of_mu: f64, reduced: f64) -> f64 {
 /// Restitution of the floor contact in force in a scene; under a power law that of a
 /// bead that arrives at the scene's own speed.
 pub fn floor_restitution(scene: &Scene) -> f64 {
-    if let Method::Soft(Soft {
-        law: Law::Power(law),
-        attraction,
-        ..
-    }) = scene.method
-    {
+    if let Some(soft) = scene.soft() {
         let masses = masses(scene);
         let floor = springs(scene, &masses)[0];
-        return rebound(
-            &alone(&law, &floor, masses[0]),
-            attraction,
-            scene.own_speed(),
-        );
+        let law = alone(soft.law, &floor, masses[0]);
+        if let Some(restitution) = law.rebound(soft.attraction, scene.own_speed()) {
+            return restitution;
+        }
     }
     match scene.floor_contact {
         FloorContact::SameRestitution => scene.restitution,

@@ -9,25 +9,25 @@ mod engine;
 mod gear;
 mod ground;
 mod lanes;
-mod powered;
 mod stepper;
 mod upkeep;
 mod verlet;
 
+use std::marker::PhantomData;
+
 use super::Engine;
 use super::column::{masses, springs};
+use super::contact_law::{self, Build, ContactLaw};
 use super::grid::Settings;
 use super::power_law::Spring;
 use super::state::State;
-use crate::scene::{self, Floor, Integrator, Scene, Shake};
+use crate::scene::{Floor, Integrator, Scene};
 use chain::{Equal, Unequal};
-pub(super) use chain::{Law, Linear};
 use engine::Md;
 use gear::Gear;
 pub(super) use gear::{CORRECTOR, corrected, predicted};
 use ground::{Free, Ground, Shaken, Weight};
-pub(super) use lanes::flushed;
-pub(super) use powered::Powered;
+pub(super) use lanes::{Number, flushed};
 use stepper::Stepper;
 use verlet::Verlet;
 
@@ -46,7 +46,7 @@ fn with_ground<S: Stepper + 'static>(
     state: State,
 ) -> Box<dyn Engine> {
     match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(Shake { .. }), gravity) => {
+        (Floor::Vibrating(_), gravity) => {
             let ground = Shaken::new(gravity.unwrap_or(0.0), state.plate);
             with_chain::<S, _>(scene, settings, state, ground)
         }
@@ -74,28 +74,44 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
         masses,
         springs,
     };
-    let power = matches!(scene.law(), Some(scene::Law::Power(_)));
-    match (power, settings.attraction) {
-        (false, true) => with_law::<S, _, _>(scene, settings, state, column, Linear::<true>),
-        (false, false) => with_law::<S, _, _>(scene, settings, state, column, Linear::<false>),
-        (true, true) => with_law::<S, _, _>(scene, settings, state, column, Powered::<true>),
-        (true, false) => with_law::<S, _, _>(scene, settings, state, column, Powered::<false>),
-    }
+    let soft = scene.soft().expect("the scene's contacts are soft");
+    contact_law::build(
+        &soft,
+        Parts {
+            scene,
+            settings,
+            state,
+            column,
+            stepper: PhantomData::<S>,
+        },
+    )
 }
 
-fn with_law<S: Stepper + 'static, G: Ground + 'static, L: Law + 'static>(
-    scene: &Scene,
+/// All that an engine is built of but the contact law.
+struct Parts<'a, S, G> {
+    scene: &'a Scene,
     settings: Settings,
     state: State,
     column: Column<G>,
-    law: impl Fn(Spring) -> L,
-) -> Box<dyn Engine> {
-    let laws: Vec<L> = column.springs.iter().map(|&spring| law(spring)).collect();
-    if scene.width == 0.0 {
-        Md::<S, G, _>::boxed(scene, settings, state, column, Equal::new(&laws))
-    } else {
-        let chain = Unequal::new(&laws, &column.masses);
-        Md::<S, G, _>::boxed(scene, settings, state, column, chain)
+    stepper: PhantomData<S>,
+}
+
+impl<S: Stepper + 'static, G: Ground + 'static> Build for Parts<'_, S, G> {
+    fn under<L: ContactLaw + 'static>(self, law: impl Fn(Spring) -> L) -> Box<dyn Engine> {
+        let Self {
+            scene,
+            settings,
+            state,
+            column,
+            ..
+        } = self;
+        let laws: Vec<L> = column.springs.iter().map(|&spring| law(spring)).collect();
+        if scene.width == 0.0 {
+            Md::<S, G, _>::boxed(scene, settings, state, column, Equal::new(&laws))
+        } else {
+            let chain = Unequal::new(&laws, &column.masses);
+            Md::<S, G, _>::boxed(scene, settings, state, column, chain)
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The vibrating floor, z₀ = A₀ sin θ, θ = 2πft + θ₀, Eq. (1).
 
 use crate::math;
-use crate::scene::{Floor, Scene, Shake, angular};
+use crate::scene::{Floor, Scene, angular};
 
 /// The plate as state. How it gets from one motion to another after an edit is its
 /// [`Course`](super::course::Course).
@@ -22,12 +22,9 @@ impl Plate {
     pub fn of(scene: &Scene) -> Self {
         match scene.floor {
             Floor::Fixed => Self::default(),
-            Floor::Vibrating(Shake {
-                amplitude,
-                frequency,
-            }) => Self {
-                amplitude,
-                omega: angular(frequency),
+            Floor::Vibrating(shake) => Self {
+                amplitude: shake.amplitude,
+                omega: angular(shake.frequency),
                 ..Self::default()
             },
         }

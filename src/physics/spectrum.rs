@@ -11,7 +11,7 @@ use super::column::{masses, springs};
 use super::md::CORRECTOR;
 use super::power_law::Spring;
 use crate::math;
-use crate::scene::{Arrangement, GridSettings, Integrator, Law, Method, Scene, Soft, Solver};
+use crate::scene::{Arrangement, Integrator, Scene};
 use nalgebra::{DMatrix, Matrix3, Matrix6, RowVector3, RowVector6, Schur, Vector6};
 use std::f64::consts::PI;
 
@@ -37,9 +37,9 @@ pub struct Mode {
 /// The stiffest mode of the scene's column when all contacts are closed; none for
 /// hard spheres and for power laws, whose stiffness depends on the overlap.
 pub fn stiffest_mode(scene: &Scene) -> Option<Mode> {
-    let Some(Law::Hooke { .. }) = scene.law() else {
+    if !scene.is_md() || scene.depends_on_speed() {
         return None;
-    };
+    }
     let masses = masses(scene);
     let springs = springs(scene, &masses);
     if let Arrangement::Lattice { tangential, .. } = scene.arrangement {
@@ -101,19 +101,9 @@ pub fn largest_stable_step(scene: &Scene, integrator: Integrator) -> Option<f64>
 /// The least steps in a contact time with which the scene's own grid would be stable,
 /// if the scene is on a grid that is coarser than that.
 pub fn too_few_steps(scene: &Scene) -> Option<f64> {
-    let Method::Soft(Soft {
-        solver:
-            Solver::Grid(GridSettings {
-                integrator,
-                steps_per_contact,
-            }),
-        ..
-    }) = scene.method
-    else {
-        return None;
-    };
-    let least = scene.contact_time()? / largest_stable_step(scene, integrator)?;
-    (steps_per_contact < least).then_some(least)
+    let grid = scene.grid()?;
+    let least = scene.contact_time()? / largest_stable_step(scene, grid.integrator)?;
+    (grid.steps_per_contact < least).then_some(least)
 }
 
 /// Largest eigenvalue of M^(−½) Aᵀ diag(constants) A M^(−½), a tridiagonal matrix, by

@@ -7,9 +7,7 @@ use super::course::{Course, Turn};
 use super::ledger::Ledger;
 use super::plate::Plate;
 use super::power_law::Spring;
-use crate::scene::{
-    Facts, Floor, GridSettings, Launch, Method, Scene, Soft, Solver, Start, initial_gaps,
-};
+use crate::scene::{Facts, Floor, Scene, Start, initial_gaps};
 
 /// What a run keeps account of, whatever moves it.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,10 +124,8 @@ impl Handover {
 impl State {
     /// The start of a scene. Contacts that just touch are closed.
     pub fn initial(scene: &Scene) -> Self {
-        let (gaps, velocity) = match scene.start {
-            Start::Launched(Launch { v0, .. }) => (initial_gaps(scene), v0),
-            Start::Resting => (vec![0.0; scene.n], 0.0),
-        };
+        let gaps = initial_gaps(scene);
+        let velocity = scene.launch().map_or(0.0, |launch| launch.v0);
         if let Some(sites) = scene.sites() {
             let rates = [vec![0.0; scene.n], vec![velocity; scene.n]].concat();
             // The floor is the first contact of the log; pairs join when they touch.
@@ -138,7 +134,7 @@ impl State {
         let mut rates = vec![0.0; scene.n];
         let plate = Plate::of(scene);
         // A resting column moves with the plate; a launched one has v₀ in the laboratory.
-        if matches!(scene.start, Start::Launched(Launch { .. })) {
+        if scene.launch().is_some() {
             rates[0] = velocity - plate.velocity();
         }
         let closed = gaps.iter().map(|&g| g <= 0.0).collect();
@@ -232,14 +228,7 @@ impl State {
 
     /// The same state as the plate takes a turn, which it has come to.
     pub(crate) fn turned(mut self, turn: Turn, scene: &Scene) -> Self {
-        let on_grid = matches!(
-            scene.method,
-            Method::Soft(Soft {
-                solver: Solver::Grid(GridSettings { .. }),
-                ..
-            })
-        );
-        if on_grid {
+        if scene.grid().is_some() {
             // The last grid point lies up to a step before the turn: the plate moves as
             // it is going to from there, and the beads stay where they are.
             let plate = turn.plate.later(self.time - turn.time);

@@ -1,7 +1,7 @@
 //! The lattice of Sec. IV C: where the beads of a plane belong, and where they start.
 
 use super::start::uniform;
-use super::{Arrangement, Facts, Launch, Scene, SceneError, Start};
+use super::{Arrangement, Facts, Scene, SceneError};
 
 /// Stream of the scene's seed that shifts the beads of a lattice.
 const SHIFTS: u64 = 2;
@@ -43,10 +43,7 @@ impl Facts {
         let Arrangement::Lattice { columns, .. } = self.arrangement else {
             return None;
         };
-        let separation = match self.start {
-            Start::Launched(Launch { s0, .. }) => s0,
-            Start::Resting => 0.0,
-        };
+        let separation = self.launch().map_or(0.0, |launch| launch.s0);
         Some(Sites {
             columns,
             rows: self.n / columns,
@@ -145,9 +142,9 @@ impl Sites {
     pub(crate) fn shifts(&self, facts: &Facts) -> Vec<f64> {
         let n = self.count();
         let mut places = vec![0.0; 2 * n];
-        let Start::Launched(Launch { jitter: true, .. }) = facts.start else {
+        if !facts.launch().is_some_and(|launch| launch.jitter) {
             return places;
-        };
+        }
         let before = self.earlier_neighbours();
         let mut random = uniform(facts.seed, SHIFTS);
         let mut draw = || self.separation * (random.next().unwrap_or(0.5) - 0.5);

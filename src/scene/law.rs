@@ -3,7 +3,11 @@
 use crate::math;
 use std::f64::consts::PI;
 
-use super::encounter::undamped_shape;
+use super::Solver;
+use super::encounter::{rebound, undamped_shape};
+
+/// Tolerance of the adaptive method where nobody says otherwise.
+const COMMON_TOLERANCE: f64 = 1e-10;
 
 /// The force of a soft contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,7 +88,16 @@ pub enum LawName {
 }
 
 impl LawName {
-    /// As they are typed, in the order in which they are shown.
+    /// All laws, in the order in which they are shown.
+    pub const ALL: [Self; 5] = [
+        Self::Hooke,
+        Self::Hertz,
+        Self::HertzKuwabaraKono,
+        Self::Taguchi,
+        Self::Power,
+    ];
+
+    /// As they are typed, in that order.
     pub const WORDS: &[&str] = &["hooke", "hertz", "hertz-kuwabara-kono", "taguchi", "power"];
 
     /// As it is typed.
@@ -95,6 +108,17 @@ impl LawName {
             Self::HertzKuwabaraKono => "hertz-kuwabara-kono",
             Self::Taguchi => "taguchi",
             Self::Power => "power",
+        }
+    }
+
+    /// As it stands in a title; none of the linear law, which goes without saying.
+    pub fn title(self) -> Option<&'static str> {
+        match self {
+            Self::Hooke => None,
+            Self::Hertz => Some("Hertz"),
+            Self::HertzKuwabaraKono => Some("Hertz-KK"),
+            Self::Taguchi => Some("Taguchi"),
+            Self::Power => Some("power law"),
         }
     }
 
@@ -111,19 +135,21 @@ impl LawName {
 
     /// The law of that name.
     pub fn find(name: &str) -> Option<Self> {
-        [
-            Self::Hooke,
-            Self::Hertz,
-            Self::HertzKuwabaraKono,
-            Self::Taguchi,
-            Self::Power,
-        ]
-        .into_iter()
-        .find(|law| law.as_str() == name)
+        Self::ALL.into_iter().find(|law| law.as_str() == name)
     }
 }
 
 impl Law {
+    /// The linear law, by the contact time t_c of a pair, s.
+    pub fn linear(contact_time: f64) -> Self {
+        Self::Hooke { contact_time }
+    }
+
+    /// Powers of the overlap.
+    pub fn powers(power: PowerLaw) -> Self {
+        Self::Power(power)
+    }
+
     /// Its name.
     pub fn name(&self) -> LawName {
         match self {
@@ -135,6 +161,109 @@ impl Law {
                 Exponents::Free { .. } => LawName::Power,
             },
         }
+    }
+
+    /// Whether restitution and contact time follow from the law, and depend on the speed at
+    /// which a pair meets. Otherwise they are given, and the same at every speed.
+    pub fn depends_on_speed(&self) -> bool {
+        match self {
+            Self::Hooke { .. } => false,
+            Self::Power(_) => true,
+        }
+    }
+
+    /// Contact time t_c, s, of a pair of mean beads that meets at `speed`, m/s; one that
+    /// depends on the speed is that of an undamped pair, Eq. (A2).
+    pub fn contact_time(&self, speed: f64) -> f64 {
+        match self {
+            Self::Hooke { contact_time } => *contact_time,
+            Self::Power(power) => power.contact_time(speed),
+        }
+    }
+
+    /// The contact time, s, where it is what the law is given by.
+    pub fn given_contact_time(&mut self) -> Option<&mut f64> {
+        match self {
+            Self::Hooke { contact_time } => Some(contact_time),
+            Self::Power(_) => None,
+        }
+    }
+
+    /// Restitution of a pair of mean beads that meets at `speed`, m/s, where it follows from
+    /// the law.
+    pub fn rebound(&self, attraction: bool, speed: f64) -> Option<f64> {
+        match self {
+            Self::Hooke { .. } => None,
+            Self::Power(power) => Some(rebound(power, attraction, speed)),
+        }
+    }
+
+    /// The powers of the overlap, where the law is given by them.
+    pub fn power(&self) -> Option<&PowerLaw> {
+        match self {
+            Self::Hooke { .. } => None,
+            Self::Power(power) => Some(power),
+        }
+    }
+
+    /// The same, to be changed.
+    pub fn power_mut(&mut self) -> Option<&mut PowerLaw> {
+        match self {
+            Self::Hooke { .. } => None,
+            Self::Power(power) => Some(power),
+        }
+    }
+
+    /// The law in powers of the overlap; the linear one is that of β = γ = 0, which
+    /// `restitution` completes.
+    pub fn in_powers(&self, restitution: f64) -> PowerLaw {
+        match self {
+            Self::Hooke { contact_time } => PowerLaw::linear(restitution, *contact_time),
+            Self::Power(power) => *power,
+        }
+    }
+
+    /// Whether the solver can compute how contacts of this law move.
+    pub fn allows(&self, solver: &Solver) -> bool {
+        match (self, solver) {
+            (_, Solver::Grid(_))
+            | (Self::Hooke { .. }, Solver::Exact)
+            | (Self::Power(_), Solver::Adaptive { .. }) => true,
+            (Self::Hooke { .. }, Solver::Adaptive { .. }) | (Self::Power(_), Solver::Exact) => {
+                false
+            }
+        }
+    }
+
+    /// The solver that locates the contact changes of this law.
+    pub fn locating(&self) -> Solver {
+        match self {
+            Self::Hooke { .. } => Solver::Exact,
+            Self::Power(_) => Solver::Adaptive {
+                tolerance: COMMON_TOLERANCE,
+            },
+        }
+    }
+
+    /// The law of that name whose collisions at `speed`, m/s, are as alike as can be (see
+    /// [`PowerLaw::like`]), and the restitution of hard beads that goes with it.
+    #[must_use]
+    pub fn turned(&self, name: LawName, restitution: f64, speed: f64) -> (Self, f64) {
+        let before = self.in_powers(restitution);
+        let exponents = match name {
+            LawName::Hooke => {
+                let (restitution, contact_time) = before.hooke(speed);
+                return (Self::Hooke { contact_time }, restitution);
+            }
+            LawName::Hertz => Exponents::Hertz,
+            LawName::HertzKuwabaraKono => Exponents::HertzKuwabaraKono,
+            LawName::Taguchi => Exponents::Taguchi,
+            LawName::Power => Exponents::Free {
+                beta: before.exponents.beta(),
+                gamma: before.exponents.gamma(),
+            },
+        };
+        (Self::Power(before.like(exponents, speed)), restitution)
     }
 }
 
@@ -221,58 +350,4 @@ fn rounded(x: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_papers_linear_constants() {
-        // Sec. IV B: K/m = 2e9 and D_n = 3.17e3 are ε = 0.800 and t_c = 7.0e-5 s.
-        let law = PowerLaw {
-            exponents: Exponents::Free {
-                beta: 0.0,
-                gamma: 0.0,
-            },
-            stiffness: 2e9,
-            damping: 3.17e3,
-        };
-        let (restitution, contact_time) = law.hooke(0.05);
-        assert!((restitution - 0.800).abs() < 5e-4, "{restitution}");
-        assert!((contact_time - 7.0e-5).abs() < 5e-7, "{contact_time}");
-    }
-
-    #[test]
-    fn a_change_of_law_and_back_is_none() {
-        for (restitution, contact_time) in [(0.9, 7e-6), (0.6, 0.7e-3), (0.05, 1e-9)] {
-            let linear = PowerLaw::linear(restitution, contact_time);
-            for exponents in [
-                Exponents::Hertz,
-                Exponents::HertzKuwabaraKono,
-                Exponents::Taguchi,
-                Exponents::Free {
-                    beta: 1.5,
-                    gamma: 2.0,
-                },
-            ] {
-                let there = linear.like(exponents, 0.2);
-                let depth = there.penetration(0.2) / linear.penetration(0.2);
-                assert!((depth - 1.0).abs() < 1e-10, "{depth}");
-                // Twelve digits survive, less the conditioning of ε ≪ 1.
-                let (e, t) = there.hooke(0.2);
-                assert!((e / restitution - 1.0).abs() < 1e-10, "{e}");
-                assert!((t / contact_time - 1.0).abs() < 1e-10, "{t}");
-            }
-        }
-    }
-
-    #[test]
-    fn too_much_damping_for_a_rebound_becomes_the_least_one() {
-        let law = PowerLaw {
-            exponents: Exponents::Hertz,
-            stiffness: 2e12,
-            damping: 1e9,
-        };
-        let (restitution, contact_time) = law.hooke(0.05);
-        assert!((restitution / FEEBLEST - 1.0).abs() < 1e-9);
-        assert!(contact_time > 0.0 && contact_time.is_finite());
-    }
-}
+mod tests;

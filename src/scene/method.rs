@@ -1,16 +1,13 @@
 //! Methods by the names that people type, and the change from one to another.
 
 use super::{
-    CollisionRule, Exponents, Facts, GridSettings, Integrator, Law, LawName, Method, PowerLaw,
-    Scene, SceneError, Soft, Solver,
+    CollisionRule, Facts, GridSettings, Integrator, Law, LawName, Method, Scene, SceneError, Soft,
+    Solver,
 };
 use crate::scene::parameters;
 
 /// Steps in a contact time where nobody says otherwise.
 const COMMON_STEPS: f64 = 100.0;
-
-/// Tolerance of the adaptive method where nobody says otherwise.
-const COMMON_TOLERANCE: f64 = 1e-10;
 
 /// The name of a method on the command line and in preset files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,18 +56,14 @@ impl Method {
     /// Its name.
     pub fn name(&self) -> MethodName {
         match self {
-            Method::Soft(Soft { solver, .. }) => match solver {
-                Solver::Grid(GridSettings {
-                    integrator: Integrator::Gear,
-                    ..
-                }) => MethodName::Gear,
-                Solver::Grid(GridSettings {
-                    integrator: Integrator::Verlet,
-                    ..
-                }) => MethodName::Verlet,
+            Self::Soft(soft) => match soft.solver {
+                Solver::Grid(grid) => match grid.integrator {
+                    Integrator::Gear => MethodName::Gear,
+                    Integrator::Verlet => MethodName::Verlet,
+                },
                 Solver::Exact | Solver::Adaptive { .. } => MethodName::Exact,
             },
-            Method::Hard(_) => MethodName::Ed,
+            Self::Hard(_) => MethodName::Ed,
         }
     }
 }
@@ -81,11 +74,11 @@ impl Facts {
     /// given yet".
     pub(in crate::scene) fn under(&self, name: MethodName) -> Self {
         let method = match name {
-            MethodName::Gear => self.soft(self.on_grid(Integrator::Gear)),
-            MethodName::Verlet => self.soft(self.on_grid(Integrator::Verlet)),
-            MethodName::Exact => self.soft(self.located()),
+            MethodName::Gear => self.softened(self.on_grid(Integrator::Gear)),
+            MethodName::Verlet => self.softened(self.on_grid(Integrator::Verlet)),
+            MethodName::Exact => self.softened(self.located()),
             MethodName::Ed => match self.method {
-                Method::Soft(Soft { .. }) => Method::Hard(CollisionRule::Lrv),
+                Method::Soft(_) => Method::Hard(CollisionRule::Lrv),
                 hard @ Method::Hard(_) => hard,
             },
         };
@@ -97,100 +90,49 @@ impl Facts {
 
     /// The grid in force, or a common one, for this integrator.
     fn on_grid(&self, integrator: Integrator) -> Solver {
-        let steps_per_contact = match self.method {
-            Method::Soft(Soft {
-                solver:
-                    Solver::Grid(GridSettings {
-                        steps_per_contact, ..
-                    }),
-                ..
-            }) => steps_per_contact,
-            _ => COMMON_STEPS,
-        };
+        let steps = self.grid().map(|grid| grid.steps_per_contact);
         Solver::Grid(GridSettings {
             integrator,
-            steps_per_contact,
+            steps_per_contact: steps.unwrap_or(COMMON_STEPS),
         })
     }
 
     /// The solver that locates contact changes, for the law in force.
     fn located(&self) -> Solver {
-        match self.method {
-            Method::Soft(Soft {
-                solver: solver @ (Solver::Exact | Solver::Adaptive { .. }),
-                ..
-            }) => solver,
-            _ => located(self.law().is_some_and(|law| law.name() != LawName::Hooke)),
+        match self.soft() {
+            Some(soft) if self.grid().is_none() => soft.solver,
+            Some(soft) => soft.law.locating(),
+            None => Solver::Exact,
         }
     }
 
     /// Puts another law in force whose collisions at the scene's own speed are as alike
-    /// as can be (see [`PowerLaw::like`]), and the solver that goes with it.
+    /// as can be (see [`PowerLaw::like`](super::PowerLaw::like)), and where the solver does
+    /// not go with it one that does.
     pub(in crate::scene) fn obey(&mut self, name: LawName) {
-        let speed = self.own_speed();
-        let restitution = self.restitution;
-        let Method::Soft(Soft { law, solver, .. }) = &mut self.method else {
+        let (speed, restitution) = (self.own_speed(), self.restitution);
+        let Some(soft) = self.soft_mut().filter(|soft| soft.law.name() != name) else {
             return;
         };
-        if law.name() == name {
-            return;
+        let then;
+        (soft.law, then) = soft.law.turned(name, restitution, speed);
+        if !soft.law.allows(&soft.solver) {
+            soft.solver = soft.law.locating();
         }
-        let before = match *law {
-            Law::Hooke { contact_time } => PowerLaw::linear(restitution, contact_time),
-            Law::Power(power) => power,
-        };
-        let exponents = match name {
-            LawName::Hooke => {
-                let contact_time;
-                (self.restitution, contact_time) = before.hooke(speed);
-                *law = Law::Hooke { contact_time };
-                if matches!(solver, Solver::Adaptive { .. }) {
-                    *solver = located(false);
-                }
-                return;
-            }
-            LawName::Hertz => Exponents::Hertz,
-            LawName::HertzKuwabaraKono => Exponents::HertzKuwabaraKono,
-            LawName::Taguchi => Exponents::Taguchi,
-            LawName::Power => Exponents::Free {
-                beta: before.exponents.beta(),
-                gamma: before.exponents.gamma(),
-            },
-        };
-        *law = Law::Power(before.like(exponents, speed));
-        if matches!(solver, Solver::Exact) {
-            *solver = located(true);
-        }
+        self.restitution = then;
     }
 
-    fn soft(&self, solver: Solver) -> Method {
-        match self.method {
-            Method::Soft(Soft {
-                law, attraction, ..
-            }) => Method::Soft(Soft {
-                law,
-                solver,
-                attraction,
-            }),
-            Method::Hard(_) => Method::Soft(Soft {
-                law: Law::Hooke {
-                    contact_time: self.contact_time().unwrap_or(f64::NAN),
-                },
-                solver,
-                attraction: true,
-            }),
-        }
-    }
-}
-
-/// The solver that locates contact changes, of the linear law or of a power law.
-fn located(power: bool) -> Solver {
-    if power {
-        Solver::Adaptive {
-            tolerance: COMMON_TOLERANCE,
-        }
-    } else {
-        Solver::Exact
+    /// The soft contacts in force, or those of the linear law, under this solver.
+    fn softened(&self, solver: Solver) -> Method {
+        let linear = Soft {
+            law: Law::linear(self.contact_time().unwrap_or(f64::NAN)),
+            solver,
+            attraction: true,
+        };
+        Method::Soft(Soft {
+            solver,
+            ..self.soft().unwrap_or(linear)
+        })
     }
 }
 

@@ -1,10 +1,7 @@
 //! The one place where facts become a scene.
 
 use super::parameters::{self, Value};
-use super::{
-    Facts, Floor, GridSettings, Launch, Law, Method, PowerLaw, Scene, SceneError, Shake, Soft,
-    Solver, Start, rebound,
-};
+use super::{Facts, Launch, PowerLaw, Scene, SceneError, Soft, Start};
 
 /// Largest width of the diameters, over the mean diameter: up to 1:100 and beyond.
 const WIDEST: f64 = 1.97;
@@ -40,14 +37,13 @@ impl Scene {
         check_lattice(&facts)?;
         check_restitution(&facts)?;
         check_solver(&facts)?;
-        if let Method::Soft(Soft {
-            law: Law::Power(power),
-            attraction,
-            ..
-        }) = facts.method
-        {
-            check_power(&facts, &power)?;
-            facts.restitution = rebound(&power, attraction, facts.own_speed());
+        if let Some(soft) = facts.soft() {
+            let speed = facts.own_speed();
+            if let Some(power) = soft.law.power() {
+                check_power(power, speed)?;
+            }
+            let follows = soft.law.rebound(soft.attraction, speed);
+            facts.restitution = follows.unwrap_or(facts.restitution);
         }
         check_start(&facts)?;
         Ok(Self(facts))
@@ -71,7 +67,7 @@ fn check_width(facts: &Facts) -> Result<(), SceneError> {
 }
 
 fn check_restitution(facts: &Facts) -> Result<(), SceneError> {
-    if facts.restitution > 0.0 || !matches!(facts.law(), Some(Law::Hooke { .. })) {
+    if facts.restitution > 0.0 || !facts.is_md() || facts.depends_on_speed() {
         return Ok(());
     }
     let reason = "must be above 0 and at most 1 for soft contacts, whose damping is \
@@ -84,15 +80,10 @@ fn check_restitution(facts: &Facts) -> Result<(), SceneError> {
 }
 
 fn check_solver(facts: &Facts) -> Result<(), SceneError> {
-    let Method::Soft(Soft { law, solver, .. }) = facts.method else {
+    let Some(Soft { law, solver, .. }) = facts.soft() else {
         return Ok(());
     };
-    let fits = match solver {
-        Solver::Exact => matches!(law, Law::Hooke { .. }),
-        Solver::Adaptive { .. } => matches!(law, Law::Power(_)),
-        Solver::Grid(GridSettings { .. }) => true,
-    };
-    if fits {
+    if law.allows(&solver) {
         return Ok(());
     }
     let reason = "does not go with the solver: the exact one is the linear law's, the adaptive \
@@ -105,8 +96,7 @@ fn check_solver(facts: &Facts) -> Result<(), SceneError> {
 }
 
 /// Refuses power laws whose contacts are beyond all numbers or absurdly short or long.
-fn check_power(facts: &Facts, power: &PowerLaw) -> Result<(), SceneError> {
-    let speed = facts.own_speed();
+fn check_power(power: &PowerLaw, speed: f64) -> Result<(), SceneError> {
     let contact_time = power.contact_time(speed);
     let depth = power.penetration(speed);
     let (shortest, longest) = CONTACT_TIMES;
@@ -143,7 +133,7 @@ pub(in crate::scene) fn check_frame(facts: &Facts) -> Result<(), SceneError> {
     if facts.gravity.is_some() {
         return Ok(());
     }
-    if matches!(facts.floor, Floor::Vibrating(Shake { .. })) {
+    if facts.shake().is_some() {
         let reason = "needs gravity, without which no bead comes back to the plate";
         return Err(inconsistent("floor", Value::Choice("vibrating"), reason));
     }
@@ -156,18 +146,12 @@ pub(in crate::scene) fn check_frame(facts: &Facts) -> Result<(), SceneError> {
 
 /// A lattice is thrown at a fixed floor, by soft contacts on a grid of time steps.
 fn check_lattice_frame(facts: &Facts) -> Result<(), SceneError> {
-    if !matches!(
-        facts.method,
-        Method::Soft(Soft {
-            solver: Solver::Grid(GridSettings { .. }),
-            ..
-        })
-    ) {
+    if facts.grid().is_none() {
         let name = facts.method.name().as_str();
         let reason = "a lattice takes gear or verlet, soft contacts on a grid of time steps";
         return Err(inconsistent("method", Value::Choice(name), reason));
     }
-    if matches!(facts.floor, Floor::Vibrating(Shake { .. })) {
+    if facts.shake().is_some() {
         let reason = "a lattice has a fixed floor and no gravity";
         return Err(inconsistent("floor", Value::Choice("vibrating"), reason));
     }
@@ -200,7 +184,7 @@ fn check_lattice(facts: &Facts) -> Result<(), SceneError> {
 }
 
 fn check_start(facts: &Facts) -> Result<(), SceneError> {
-    let Start::Launched(Launch { v0, .. }) = facts.start else {
+    let Some(Launch { v0, .. }) = facts.launch() else {
         return Ok(());
     };
     if facts.gravity.is_none() && v0 > -SLOWEST {
@@ -243,10 +227,10 @@ pub(in crate::scene) fn example() -> Facts {
             v0: -0.2,
         }),
         gravity: None,
-        floor: Floor::Fixed,
+        floor: super::Floor::Fixed,
         method: super::Method::Soft(Soft {
-            law: Law::Hooke { contact_time: 7e-6 },
-            solver: super::Solver::Grid(GridSettings {
+            law: super::Law::linear(7e-6),
+            solver: super::Solver::Grid(super::GridSettings {
                 integrator: super::Integrator::Gear,
                 steps_per_contact: 100.0,
             }),

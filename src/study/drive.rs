@@ -1,7 +1,7 @@
 //! An engine on its way, in slices, with somebody looking on.
 
 use crate::physics::{self, Engine, EngineError, Observation, Outcome};
-use crate::scene::{Launch, Law, MethodName, Scene, Start};
+use crate::scene::{Launch, MethodName, Scene};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -99,9 +99,10 @@ impl<'a> Drive<'a> {
         let slice = match scene.method.name() {
             MethodName::Ed => EVENTS,
             MethodName::Exact => {
-                let moved = match scene.law() {
-                    Some(Law::Power(_)) => scene.n,
-                    _ => scene.n.min(CLUSTER),
+                // The adaptive method moves all beads at once.
+                let moved = match scene.tolerance() {
+                    Some(_) => scene.n,
+                    None => scene.n.min(CLUSTER),
                 };
                 in_steps(EXACT_BEAD_STEPS, moved)
             }
@@ -198,12 +199,10 @@ impl<'a> Drive<'a> {
 /// A time in which a column that hits a floor changes, s.
 pub fn natural_time(scene: &Scene) -> f64 {
     let contact = scene.contact_time().unwrap_or(0.0);
-    match scene.start {
+    match scene.launch() {
         // Rows that just touch go on doing so: a lattice is stepped to the end of a look.
-        Start::Launched(Launch { s0, v0, .. }) if scene.sites().is_some() => {
-            contact.max(s0 / v0.abs())
-        }
-        Start::Launched(Launch { s0, v0, .. }) if v0 != 0.0 => {
+        Some(Launch { s0, v0, .. }) if scene.sites().is_some() => contact.max(s0 / v0.abs()),
+        Some(Launch { s0, v0, .. }) if v0 != 0.0 => {
             contact.max(s0.max(1e-3 * scene.diameter) / v0.abs())
         }
         _ => contact.max(scene.diameter),

@@ -7,7 +7,7 @@ use super::vary::{PATTERNS, one_ulp_off, vary};
 use crate::math;
 use crate::physics;
 use crate::scene::parameters::Value;
-use crate::scene::{GridSettings, Method, Scene, Soft, Solver};
+use crate::scene::{GridSettings, Scene};
 
 /// Bead steps of a run that may be done a few times without being asked to.
 const CHEAP: f64 = 1e8;
@@ -268,19 +268,9 @@ impl Sensitivity {
 /// What a method can be set to that decides how right it is: steps in a contact time, or
 /// a tolerance.
 fn of_method(scene: &Scene) -> Option<(&'static str, f64)> {
-    match scene.method {
-        Method::Soft(Soft {
-            solver: Solver::Grid(GridSettings {
-                steps_per_contact, ..
-            }),
-            ..
-        }) => Some(("steps_per_contact", steps_per_contact)),
-        Method::Soft(Soft {
-            solver: Solver::Adaptive { tolerance },
-            ..
-        }) => Some(("tolerance", tolerance)),
-        _ => None,
-    }
+    let steps = |grid: GridSettings| ("steps_per_contact", grid.steps_per_contact);
+    let tolerance = scene.tolerance().map(|tolerance| ("tolerance", tolerance));
+    scene.grid().map(steps).or(tolerance)
 }
 
 /// Whether a run without gravity was so short that it may be done again without being

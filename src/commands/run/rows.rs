@@ -4,7 +4,7 @@ use super::report::{Cell, Report, Row};
 use super::runs::Runs;
 use crate::commands::{Failure, note};
 use crate::physics;
-use crate::scene::{Arrangement, Launch, Law, MethodName, Preset, Scene, Start};
+use crate::scene::{Arrangement, Law, MethodName, Preset, Scene};
 use crate::study::verdict::{Verdict, verdict};
 use crate::study::{self, Drive, PATTERNS, Results, Sensitivity, is_cheap};
 use std::ops::ControlFlow;
@@ -77,15 +77,9 @@ fn rows(preset: &Preset, results: &Results, sensitivity: &Sensitivity, wall_time
 fn of_the_scene(preset: &Preset) -> Vec<Row> {
     let scene = &preset.scene;
     let method = scene.method.name();
-    let start = match scene.start {
-        Start::Launched(Launch { s0, v0, .. }) => Some((s0, v0)),
-        Start::Resting => None,
-    };
+    let start = scene.launch().map(|launch| (launch.s0, launch.v0));
     let law = scene.law();
-    let power = match law {
-        Some(Law::Power(power)) => Some(power),
-        _ => None,
-    };
+    let power = law.as_ref().and_then(Law::power);
     // Under a power law these depend on the speed.
     let (of_two, of_one, lasting) = if power.is_some() {
         (
@@ -312,7 +306,7 @@ const ROUGHLY: Option<f64> = Some(0.1);
 fn of_sensitivity(scene: &Scene, measured: &Sensitivity) -> [Row; 5] {
     let meaning = match scene.method.name() {
         MethodName::Gear | MethodName::Verlet => "relative change by other steps, or a last bit",
-        MethodName::Exact if !matches!(scene.law(), Some(Law::Hooke { .. })) => {
+        MethodName::Exact if scene.tolerance().is_some() => {
             "relative change by the tolerance, or a last bit"
         }
         MethodName::Exact | MethodName::Ed => "relative change by a last bit of the start",

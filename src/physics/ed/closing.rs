@@ -25,7 +25,7 @@
 
 use super::Pair;
 use crate::physics::state::{Depth, State};
-use crate::scene::{Launch, Scene, Start};
+use crate::scene::Scene;
 
 /// Powers of two between the scene's own speed and that of a pair that is closed: of 200
 /// columns of equal beads near collapse that came back none had been as deep, of 1500 of
@@ -60,10 +60,7 @@ pub(super) struct Closing {
 impl Closing {
     /// Of a scene with these pairs, to a depth.
     pub fn of(scene: &Scene, pairs: &[Pair], depth: Depth) -> Self {
-        let launched = match scene.start {
-            Start::Launched(Launch { v0, .. }) => v0.abs(),
-            Start::Resting => 0.0,
-        };
+        let launched = scene.launch().map_or(0.0, |launch| launch.v0.abs());
         let gravity = scene.gravity;
         let fall = gravity.map_or(0.0, |gravity| (gravity * scene.diameter).sqrt());
         let time = gravity.map_or(0.0, |gravity| (scene.diameter / gravity).sqrt());

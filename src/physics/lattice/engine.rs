@@ -6,9 +6,9 @@ use super::Plane;
 use super::forces::{Forces, Laws, Surface};
 use super::mover::Mover;
 use super::view::View;
+use crate::physics::contact_law::ContactLaw;
 use crate::physics::grid::Grid;
 use crate::physics::ledger::Ledger;
-use crate::physics::md::Law;
 use crate::physics::observation::Observation;
 use crate::physics::state::{Books, Depth, State};
 use crate::physics::{Engine, EngineError, Outcome};
@@ -31,7 +31,7 @@ pub(super) struct Lattice<M, L, S> {
     pub(super) rates: Vec<f64>,
 }
 
-impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
+impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
     pub(super) fn new(plane: Plane, mut state: State, laws: Laws<L>, surface: S) -> Self {
         let h = plane.settings.step();
         let places = std::mem::take(&mut state.gaps);
@@ -126,7 +126,7 @@ impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
     }
 }
 
-impl<M: Mover, L: Law, S: Surface> Engine for Lattice<M, L, S> {
+impl<M: Mover, L: ContactLaw, S: Surface> Engine for Lattice<M, L, S> {
     fn time(&self) -> f64 {
         self.grid.time()
     }

@@ -1,7 +1,7 @@
 //! Forces of the contacts of a lattice.
 
 use super::list::List;
-use crate::physics::md::Law;
+use crate::physics::contact_law::ContactLaw;
 use crate::scene::lattice::Sites;
 
 /// The laws of a contact with the floor and of one between beads.
@@ -52,7 +52,7 @@ pub(super) struct Forces<L, S> {
     pub lost: f64,
 }
 
-impl<L: Law, S: Surface> Forces<L, S> {
+impl<L: ContactLaw, S: Surface> Forces<L, S> {
     pub fn new(sites: Sites, laws: Laws<L>, surface: S, places: &[f64]) -> Self {
         Self {
             list: List::new(&sites, places),

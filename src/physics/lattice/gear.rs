@@ -3,7 +3,8 @@
 
 use super::forces::{Forces, Surface};
 use super::mover::{Mover, flush};
-use crate::physics::md::{Law, corrected, predicted};
+use crate::physics::contact_law::ContactLaw;
+use crate::physics::md::{corrected, predicted};
 
 pub(super) struct Gear {
     h: f64,
@@ -11,7 +12,7 @@ pub(super) struct Gear {
 }
 
 impl Mover for Gear {
-    fn start<L: Law, S: Surface>(
+    fn start<L: ContactLaw, S: Surface>(
         places: Vec<f64>,
         rates: &[f64],
         h: f64,
@@ -34,7 +35,7 @@ impl Mover for Gear {
     }
 
     #[inline]
-    fn step<L: Law, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
+    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
         self.predict();
         let changed = forces.act(&self.rows[0], &self.rows[1], 1.0 / self.h);
         self.correct(&forces.accelerations);

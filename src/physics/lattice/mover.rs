@@ -1,19 +1,20 @@
 //! What an integrator of a lattice does.
 
 use super::forces::{Forces, Surface};
-use crate::physics::md::{Law, flushed};
+use crate::physics::contact_law::ContactLaw;
+use crate::physics::md::flushed;
 
 /// An integrator. Its state is displacements and rates, all across, then all up.
 pub(super) trait Mover: Send + Sized {
     /// Starts from displacements, m, and rates, m/s, with steps of `h` s.
-    fn start<L: Law, S: Surface>(
+    fn start<L: ContactLaw, S: Surface>(
         places: Vec<f64>,
         rates: &[f64],
         h: f64,
         forces: &mut Forces<L, S>,
     ) -> Self;
     /// One step; whether a contact began or ended.
-    fn step<L: Law, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool;
+    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool;
     /// Flies on for `steps` steps at constant rates.
     fn coast(&mut self, steps: u64);
     /// Displacements, m.

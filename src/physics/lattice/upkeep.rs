@@ -5,10 +5,10 @@ use super::forces::Surface;
 use super::mover::Mover;
 use crate::physics::EngineError;
 use crate::physics::column::OVER;
+use crate::physics::contact_law::ContactLaw;
 use crate::physics::flight::closing;
-use crate::physics::md::Law;
 
-impl<M: Mover, L: Law, S: Surface> Lattice<M, L, S> {
+impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
     /// Writes down which contacts began or ended in the last step; the rates are those
     /// of now.
     pub(super) fn note_contacts(&mut self) {

@@ -3,7 +3,7 @@
 
 use super::forces::{Forces, Surface};
 use super::mover::{Mover, flush};
-use crate::physics::md::Law;
+use crate::physics::contact_law::ContactLaw;
 
 pub(super) struct Verlet {
     h: f64,
@@ -15,7 +15,7 @@ pub(super) struct Verlet {
 }
 
 impl Mover for Verlet {
-    fn start<L: Law, S: Surface>(
+    fn start<L: ContactLaw, S: Surface>(
         places: Vec<f64>,
         rates: &[f64],
         h: f64,
@@ -32,7 +32,7 @@ impl Mover for Verlet {
     }
 
     #[inline]
-    fn step<L: Law, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
+    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
         let h = self.h;
         let rates = self.before.iter_mut().zip(&mut self.predicted);
         let state = self.places.iter_mut().zip(rates);

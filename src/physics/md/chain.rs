@@ -1,34 +1,11 @@
 //! Forces in the contacts of a chain, and the accelerations of its gaps.
 
-use super::lanes::{LANES, Lane, Number, grouped, neighbours};
-use crate::physics::power_law::Spring;
-
-/// The law of one contact, chosen at compile time.
-pub(crate) trait Law: Copy + Send {
-    /// Force of the contact at gap `g` with rate `w`, and the power that it loses, in
-    /// mean bead masses; both 0 where g > 0. Beads just touching are in contact.
-    fn push<T: Number>(self, g: T, w: T) -> (T, T);
-}
-
-/// The linear law. `ATTRACTION` says whether the short attractive end of a contact
-/// acts, as in the paper, or is cut off.
-#[derive(Clone, Copy)]
-pub(crate) struct Linear<const ATTRACTION: bool>(pub Spring);
-
-impl<const ATTRACTION: bool> Law for Linear<ATTRACTION> {
-    #[inline]
-    fn push<T: Number>(self, g: T, w: T) -> (T, T) {
-        let elastic = g * -self.0.stiffness;
-        let full = elastic - w * self.0.dashpot;
-        let force = if ATTRACTION { full } else { full.positive() };
-        let power = (elastic - force) * w;
-        (force.where_closed(g), power.where_closed(g))
-    }
-}
+use super::lanes::{LANES, Lane, grouped, neighbours};
+use crate::physics::contact_law::ContactLaw;
 
 /// Contacts and masses of a chain.
 pub(crate) trait Chain: Send {
-    /// Force of the floor's contact and the power it loses, as in [`Law::push`].
+    /// Force of the floor's contact and the power it loses, as in [`ContactLaw::push`].
     fn floor(&self, g: f64, w: f64) -> (f64, f64);
 
     /// The same for the contacts of group `k`; also asked for the gaps beyond the last
@@ -49,7 +26,7 @@ pub(crate) struct Equal<L> {
     pair: L,
 }
 
-impl<L: Law> Equal<L> {
+impl<L: ContactLaw> Equal<L> {
     /// The chain with these laws, those of all pairs being alike.
     pub fn new(laws: &[L]) -> Self {
         Self {
@@ -59,7 +36,7 @@ impl<L: Law> Equal<L> {
     }
 }
 
-impl<L: Law> Chain for Equal<L> {
+impl<L: ContactLaw> Chain for Equal<L> {
     #[inline]
     fn floor(&self, g: f64, w: f64) -> (f64, f64) {
         self.floor.push(g, w)
@@ -91,7 +68,7 @@ pub(crate) struct Unequal<L> {
     below: Vec<Lane>,
 }
 
-impl<L: Law> Unequal<L> {
+impl<L: ContactLaw> Unequal<L> {
     /// The chain with these laws, and masses in mean bead masses.
     pub fn new(laws: &[L], masses: &[f64]) -> Self {
         let inverse: Vec<f64> = masses.iter().map(|m| 1.0 / m).collect();
@@ -109,7 +86,7 @@ impl<L: Law> Unequal<L> {
     }
 }
 
-impl<L: Law> Chain for Unequal<L> {
+impl<L: ContactLaw> Chain for Unequal<L> {
     #[inline]
     fn floor(&self, g: f64, w: f64) -> (f64, f64) {
         self.floor.push(g, w)

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::physics::{State, build};
-use crate::scene::{Facts, Floor, FloorContact, GridSettings, Soft, Start};
+use crate::scene::{Facts, Floor, FloorContact, GridSettings, Law, Method, Soft, Solver, Start};
 
 const CONTACT_TIME: f64 = 1e-5;
 

@@ -1,11 +1,9 @@
 //! How the rows of the table read and change the facts.
 
 use super::Value;
-use super::rows::TC;
 use crate::math;
 use crate::scene::{
-    Arrangement, CollisionRule, Exponents, Facts, Floor, GridSettings, Launch, Law, Method,
-    PowerLaw, Shake, Soft, Solver, Start, angular,
+    Arrangement, CollisionRule, Exponents, Facts, Launch, Method, PowerLaw, Shake, angular,
 };
 
 // The table hands over values of the row's own kind only.
@@ -34,11 +32,17 @@ pub(super) fn choice(value: Value, put: impl FnOnce(&'static str)) {
     }
 }
 
-/// s₀, v₀ and jitter of a separated start.
-pub(super) fn separated(facts: &Facts) -> Option<(f64, f64, bool)> {
-    match facts.start {
-        Start::Launched(Launch { s0, jitter, v0 }) => Some((s0, v0, jitter)),
-        Start::Resting => None,
+/// Changes the launch of a separated start.
+pub(super) fn launch(facts: &mut Facts, change: impl FnOnce(&mut Launch)) {
+    if let Some(launch) = facts.launch_mut() {
+        change(launch);
+    }
+}
+
+/// Changes how the plate vibrates.
+pub(super) fn shake(facts: &mut Facts, change: impl FnOnce(&mut Shake)) {
+    if let Some(shake) = facts.shake_mut() {
+        change(shake);
     }
 }
 
@@ -58,75 +62,30 @@ pub(super) fn tangential(facts: &Facts) -> Option<f64> {
     }
 }
 
-/// Whether the attraction of soft contacts acts.
-pub(super) fn attraction(facts: &Facts) -> Option<bool> {
-    match facts.method {
-        Method::Soft(Soft { attraction, .. }) => Some(attraction),
-        Method::Hard(_) => None,
-    }
-}
-
-/// Steps in a contact time of soft contacts on a grid.
-pub(super) fn steps(facts: &Facts) -> Option<f64> {
-    match facts.method {
-        Method::Soft(Soft {
-            solver: Solver::Grid(GridSettings {
-                steps_per_contact, ..
-            }),
-            ..
-        }) => Some(steps_per_contact),
-        _ => None,
-    }
-}
-
-/// Amplitude and frequency of a vibrating floor.
-pub(super) fn plate(facts: &Facts) -> Option<(f64, f64)> {
-    match facts.floor {
-        Floor::Vibrating(Shake {
-            amplitude,
-            frequency,
-        }) => Some((amplitude, frequency)),
-        Floor::Fixed => None,
-    }
-}
-
 /// Contact time of a scene that is given one: under a power law it follows.
 pub(super) fn contact_time(facts: &Facts) -> Option<f64> {
-    power(facts)
-        .is_none()
-        .then(|| facts.contact_time())
-        .flatten()
+    facts.contact_time().filter(|_| !facts.depends_on_speed())
 }
 
 pub(super) fn set_contact_time(facts: &mut Facts, to: f64) {
-    if let Method::Soft(Soft {
-        law: Law::Hooke { contact_time },
-        ..
-    })
-    | Method::Hard(CollisionRule::Tc { contact_time }) = &mut facts.method
-    {
+    let given = match &mut facts.method {
+        Method::Soft(soft) => soft.law.given_contact_time(),
+        Method::Hard(CollisionRule::Tc { contact_time }) => Some(contact_time),
+        Method::Hard(CollisionRule::Lrv) => None,
+    };
+    if let Some(contact_time) = given {
         *contact_time = to;
     }
 }
 
 /// The power law in force.
 pub(super) fn power(facts: &Facts) -> Option<PowerLaw> {
-    match facts.method {
-        Method::Soft(Soft {
-            law: Law::Power(power),
-            ..
-        }) => Some(power),
-        _ => None,
-    }
+    facts.law()?.power().copied()
 }
 
 /// Changes the power law in force.
 pub(super) fn set_power(facts: &mut Facts, change: impl FnOnce(&mut PowerLaw)) {
-    if let Method::Soft(Soft {
-        law: Law::Power(power),
-        ..
-    }) = &mut facts.method
-    {
+    if let Some(power) = facts.soft_mut().and_then(|soft| soft.law.power_mut()) {
         change(power);
     }
 }
@@ -153,45 +112,31 @@ pub(super) fn set_exponents(facts: &mut Facts, beta: Option<f64>, gamma: Option<
     }
 }
 
-/// Tolerance of the adaptive method.
-pub(super) fn tolerance(facts: &Facts) -> Option<f64> {
-    match facts.method {
-        Method::Soft(Soft {
-            solver: Solver::Adaptive { tolerance },
-            ..
-        }) => Some(tolerance),
-        _ => None,
-    }
-}
-
-pub(super) fn set_amplitude(facts: &mut Facts, to: f64) {
-    if let Floor::Vibrating(Shake { amplitude, .. }) = &mut facts.floor {
-        *amplitude = to;
-    }
-}
-
-pub(super) fn set_frequency(facts: &mut Facts, to: f64) {
-    if let Floor::Vibrating(Shake { frequency, .. }) = &mut facts.floor {
-        *frequency = to;
+pub(super) fn set_tolerance(facts: &mut Facts, to: f64) {
+    if let Some(tolerance) = facts.tolerance_mut() {
+        *tolerance = to;
     }
 }
 
 /// A₀ = α g/(2πf)² for the frequency and gravity in force.
 pub(super) fn set_alpha(facts: &mut Facts, alpha: f64) {
-    if let (Some((_, frequency)), Some(gravity)) = (plate(facts), facts.gravity) {
-        set_amplitude(facts, alpha * gravity / math::powi(angular(frequency), 2));
+    if let (Some(gravity), Some(shake)) = (facts.gravity, facts.shake_mut()) {
+        shake.amplitude = alpha * gravity / math::powi(angular(shake.frequency), 2);
     }
 }
 
 /// The TC rule starts without a contact time: NaN, "not given yet".
 pub(super) fn set_rule(facts: &mut Facts, word: &str) {
-    if let Method::Hard(rule) = &mut facts.method {
-        *rule = match (word, *rule) {
-            (TC, CollisionRule::Lrv) => CollisionRule::Tc {
-                contact_time: f64::NAN,
-            },
-            (TC, timed) => timed,
-            _ => CollisionRule::Lrv,
+    let timed = CollisionRule::Tc {
+        contact_time: f64::NAN,
+    };
+    if let Method::Hard(rule) = &mut facts.method
+        && rule.as_str() != word
+    {
+        *rule = if word == timed.as_str() {
+            timed
+        } else {
+            CollisionRule::Lrv
         };
     }
 }

@@ -4,17 +4,13 @@ mod contact;
 mod lattice;
 
 use super::access::{
-    choice, columns, flag, number, plate, separated, set_alpha, set_amplitude, set_frequency,
-    set_rule, steps, tolerance, whole,
+    choice, columns, flag, launch, number, set_alpha, set_rule, set_tolerance, shake, whole,
 };
 use super::{Kind, Parameter, Scale, Value};
-use crate::scene::{CollisionRule, GridSettings, Launch, Method, Soft, Solver, Start};
+use crate::scene::{CollisionRule, Method};
 
 /// The largest seed that a JSON number holds exactly.
 const LARGEST_SEED: u64 = 1 << 53;
-
-pub(super) const LRV: &str = "lrv";
-pub(super) const TC: &str = "tc";
 
 const SEPARATED: &str = "scenes with start separated";
 const SOFT: &str = "scenes with soft contacts (method gear, verlet or exact)";
@@ -86,8 +82,8 @@ pub(super) static ROWS: &[Parameter] = &[
             scale: AMPLITUDES,
         },
         belongs_to: VIBRATING,
-        get: |facts| plate(facts).map(|(amplitude, _)| Value::Number(amplitude)),
-        set: |facts, value| number(value, |x| set_amplitude(facts, x)),
+        get: |facts| facts.shake().map(|shake| Value::Number(shake.amplitude)),
+        set: |facts, value| number(value, |x| shake(facts, |shake| shake.amplitude = x)),
         ..ROW
     },
     Parameter {
@@ -123,8 +119,8 @@ pub(super) static ROWS: &[Parameter] = &[
             },
         },
         belongs_to: VIBRATING,
-        get: |facts| plate(facts).map(|(_, frequency)| Value::Number(frequency)),
-        set: |facts, value| number(value, |x| set_frequency(facts, x)),
+        get: |facts| facts.shake().map(|shake| Value::Number(shake.frequency)),
+        set: |facts, value| number(value, |x| shake(facts, |shake| shake.frequency = x)),
         ..ROW
     },
     Parameter {
@@ -160,14 +156,8 @@ pub(super) static ROWS: &[Parameter] = &[
         },
         belongs_to: SEPARATED,
         live: false,
-        get: |facts| separated(facts).map(|(s0, _, _)| Value::Number(s0)),
-        set: |facts, value| {
-            number(value, |x| {
-                if let Start::Launched(Launch { s0, .. }) = &mut facts.start {
-                    *s0 = x;
-                }
-            });
-        },
+        get: |facts| facts.launch().map(|launch| Value::Number(launch.s0)),
+        set: |facts, value| number(value, |x| launch(facts, |launch| launch.s0 = x)),
         ..ROW
     },
     Parameter {
@@ -188,14 +178,8 @@ pub(super) static ROWS: &[Parameter] = &[
         note: " (without gravity: below 0)",
         belongs_to: SEPARATED,
         live: false,
-        get: |facts| separated(facts).map(|(_, v0, _)| Value::Number(v0)),
-        set: |facts, value| {
-            number(value, |x| {
-                if let Start::Launched(Launch { v0, .. }) = &mut facts.start {
-                    *v0 = x;
-                }
-            });
-        },
+        get: |facts| facts.launch().map(|launch| Value::Number(launch.v0)),
+        set: |facts, value| number(value, |x| launch(facts, |launch| launch.v0 = x)),
         ..ROW
     },
     Parameter {
@@ -206,14 +190,8 @@ pub(super) static ROWS: &[Parameter] = &[
         kind: Kind::Flag,
         belongs_to: SEPARATED,
         live: false,
-        get: |facts| separated(facts).map(|(_, _, jitter)| Value::Flag(jitter)),
-        set: |facts, value| {
-            flag(value, |on| {
-                if let Start::Launched(Launch { jitter, .. }) = &mut facts.start {
-                    *jitter = on;
-                }
-            });
-        },
+        get: |facts| facts.launch().map(|launch| Value::Flag(launch.jitter)),
+        set: |facts, value| flag(value, |on| launch(facts, |launch| launch.jitter = on)),
         ..ROW
     },
     Parameter {
@@ -289,18 +267,15 @@ pub(super) static ROWS: &[Parameter] = &[
             },
         },
         belongs_to: GRID,
-        get: |facts| steps(facts).map(Value::Number),
+        get: |facts| {
+            facts
+                .grid()
+                .map(|grid| Value::Number(grid.steps_per_contact))
+        },
         set: |facts, value| {
             number(value, |x| {
-                if let Method::Soft(Soft {
-                    solver:
-                        Solver::Grid(GridSettings {
-                            steps_per_contact, ..
-                        }),
-                    ..
-                }) = &mut facts.method
-                {
-                    *steps_per_contact = x;
+                if let Some(grid) = facts.grid_mut() {
+                    grid.steps_per_contact = x;
                 }
             });
         },
@@ -321,18 +296,8 @@ pub(super) static ROWS: &[Parameter] = &[
             },
         },
         belongs_to: ADAPTIVE,
-        get: |facts| tolerance(facts).map(Value::Number),
-        set: |facts, value| {
-            number(value, |x| {
-                if let Method::Soft(Soft {
-                    solver: Solver::Adaptive { tolerance },
-                    ..
-                }) = &mut facts.method
-                {
-                    *tolerance = x;
-                }
-            });
-        },
+        get: |facts| facts.tolerance().map(Value::Number),
+        set: |facts, value| number(value, |x| set_tolerance(facts, x)),
         ..ROW
     },
     Parameter {
@@ -340,12 +305,11 @@ pub(super) static ROWS: &[Parameter] = &[
         symbol: "rule",
         symbol_ascii: "rule",
         help: "collisions that dissipate: all, or not within contact_time",
-        kind: Kind::Choice(&[LRV, TC]),
+        kind: Kind::Choice(CollisionRule::WORDS),
         belongs_to: HARD,
         get: |facts| match facts.method {
-            Method::Hard(CollisionRule::Lrv) => Some(Value::Choice(LRV)),
-            Method::Hard(CollisionRule::Tc { .. }) => Some(Value::Choice(TC)),
-            Method::Soft(Soft { .. }) => None,
+            Method::Hard(rule) => Some(Value::Choice(rule.as_str())),
+            Method::Soft(_) => None,
         },
         set: |facts, value| choice(value, |word| set_rule(facts, word)),
         ..ROW

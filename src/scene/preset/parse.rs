@@ -201,9 +201,7 @@ fn frame(entries: &Entries) -> Result<Facts, PresetError> {
             _ => Floor::Fixed,
         },
         method: Method::Soft(Soft {
-            law: Law::Hooke {
-                contact_time: f64::NAN,
-            },
+            law: Law::linear(f64::NAN),
             solver: Solver::Exact,
             attraction: true,
         }),

@@ -5,7 +5,7 @@ mod tables;
 use super::phases::{Spread, over_phases};
 use super::{AccuracyError, Candidate, Effort, Report, candidates};
 use crate::physics::Observation;
-use crate::scene::{Launch, Scene, Start};
+use crate::scene::Scene;
 use crate::study::{Drive, RunError, Tell, in_time, one_ulp_off};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -167,10 +167,7 @@ pub(super) fn report(
 
 /// |v₀| t_c, m, the unit of the trajectory's error.
 fn unit_of_length(scene: &Scene) -> f64 {
-    let speed = match scene.start {
-        Start::Launched(Launch { v0, .. }) => v0.abs(),
-        Start::Resting => 0.0,
-    };
+    let speed = scene.launch().map_or(0.0, |launch| launch.v0.abs());
     speed * scene.contact_time().unwrap_or(1.0)
 }
 

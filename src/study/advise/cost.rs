@@ -3,7 +3,7 @@
 use super::{Kind, Question};
 use crate::physics::{Observation, spectrum};
 use crate::scene::parameters::Value;
-use crate::scene::{GridSettings, Integrator, Law, Method, MethodName, Scene, Soft, Solver};
+use crate::scene::{GridSettings, MethodName, Scene};
 use crate::study::fit::median;
 use crate::study::{Drive, Results, RunError, Tell, in_time, measure, vary};
 use std::time::{Duration, Instant};
@@ -87,30 +87,17 @@ pub(super) fn costs(
 
 /// Hard spheres are no twin of a power law.
 fn is_linear(scene: &Scene) -> bool {
-    matches!(scene.law(), Some(Law::Hooke { .. }))
+    scene.is_md() && !scene.depends_on_speed()
 }
 
 /// The scene with the grid of another, if both have one.
 fn on_grid_of(asked: &Scene, scene: Scene) -> Option<Scene> {
-    match (grid(&scene), grid(asked)) {
-        (Some(_), Some((_, steps))) => {
-            vary(&scene, None, &[("steps_per_contact", Value::Number(steps))]).ok()
+    match (scene.grid(), asked.grid()) {
+        (Some(_), Some(grid)) => {
+            let steps = Value::Number(grid.steps_per_contact);
+            vary(&scene, None, &[("steps_per_contact", steps)]).ok()
         }
         _ => Some(scene),
-    }
-}
-
-fn grid(scene: &Scene) -> Option<(Integrator, f64)> {
-    match scene.method {
-        Method::Soft(Soft {
-            solver:
-                Solver::Grid(GridSettings {
-                    integrator,
-                    steps_per_contact,
-                }),
-            ..
-        }) => Some((integrator, steps_per_contact)),
-        _ => None,
     }
 }
 
@@ -120,15 +107,14 @@ fn cost(scene: &Scene, turns: &[Result<Turn, RunError>]) -> Cost {
         let values: Vec<f64> = done.iter().map(|turn| of(turn)).collect();
         (!values.is_empty()).then(|| median(&values))
     };
-    let grid = grid(scene);
-    let stable =
-        |(integrator, _): (Integrator, f64)| spectrum::largest_stable_step(scene, integrator);
+    let grid = scene.grid();
+    let stable = |grid: GridSettings| spectrum::largest_stable_step(scene, grid.integrator);
     let failed = turns.iter().find_map(|turn| turn.as_ref().err());
     Cost {
         method: scene.method.name(),
-        step: grid.and_then(|(_, steps)| Some(scene.contact_time()? / steps)),
+        step: grid.and_then(|grid| Some(scene.contact_time()? / grid.steps_per_contact)),
         stable: grid.and_then(stable),
-        steps_per_contact: grid.map(|(_, steps)| steps),
+        steps_per_contact: grid.map(|grid| grid.steps_per_contact),
         work: middle(&|turn| turn.0),
         run_time: middle(&|turn| turn.1),
         eps_eff: done.last().and_then(|turn| turn.2.as_ref()?.eps_eff),

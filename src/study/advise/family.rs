@@ -4,7 +4,7 @@ use super::{AdviseError, Against, Kind, Question};
 use crate::math;
 use crate::scene::parameters::{Setting, Value, named};
 use crate::scene::preset::Preset;
-use crate::scene::{Launch, Law, MethodName, Scene, SceneError, Start};
+use crate::scene::{Law, MethodName, Scene, SceneError};
 use crate::study::vary;
 
 /// A contact time for a scene that has none, s; it is varied anyway.
@@ -63,8 +63,9 @@ impl Family {
     /// are those with which every collision takes as much longer and loses the same:
     /// K ∝ t_c^−(2+β) and D_n ∝ t_c^−(1+γ), by Eqs. (A1) and (A2).
     pub fn at(&self, contact_time: f64) -> Result<Scene, SceneError> {
-        match self.base.law() {
-            Some(Law::Power(power)) => {
+        let law = self.base.law();
+        match law.as_ref().and_then(Law::power) {
+            Some(power) => {
                 let longer = contact_time / self.base_time;
                 let (beta, gamma) = (power.exponents.beta(), power.exponents.gamma());
                 let stiffness = power.stiffness * math::powf(longer, -2.0 - beta);
@@ -78,7 +79,7 @@ impl Family {
                     ],
                 )
             }
-            _ => vary(
+            None => vary(
                 &self.base,
                 None,
                 &[("contact_time", Value::Number(contact_time))],
@@ -97,7 +98,8 @@ impl Family {
     }
 
     fn hard(&self) -> Result<Scene, AdviseError> {
-        if let Some(law @ Law::Power(power)) = self.base.law()
+        if let Some(law) = self.base.law()
+            && let Some(power) = law.power()
             && (power.exponents.beta(), power.exponents.gamma()) != (0.0, 0.0)
         {
             let law = law.name().as_str();
@@ -149,10 +151,8 @@ impl Family {
 
     /// s_0/|v_0| of a launched column whose beads do not touch, s.
     fn flight(&self) -> Option<f64> {
-        match self.base.start {
-            Start::Launched(Launch { s0, v0, .. }) if v0 != 0.0 && s0 > 0.0 => Some(s0 / v0.abs()),
-            _ => None,
-        }
+        let launch = self.base.launch()?;
+        (launch.v0 != 0.0 && launch.s0 > 0.0).then(|| launch.s0 / launch.v0.abs())
     }
 
     /// Why the contact time does not matter, if it cannot.

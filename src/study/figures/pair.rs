@@ -65,7 +65,7 @@ fn scene(law: PowerLaw, speed: f64) -> Result<Scene, FigureError> {
         gravity: None,
         floor: Floor::Fixed,
         method: Method::Soft(Soft {
-            law: Law::Power(law),
+            law: Law::powers(law),
             solver: Solver::Adaptive {
                 tolerance: TOLERANCE,
             },

@@ -4,7 +4,7 @@
 use super::RIGHT;
 use super::judge::{Verdict, unfinished};
 use super::runs::{Ending, Numbers, distance, run};
-use crate::scene::{Facts, Law, Method, PowerLaw, Scene, Soft, Solver};
+use crate::scene::{Facts, Law, Method, Scene, Soft, Solver};
 use crate::study::one_ulp_off;
 
 /// Tolerance of the adaptive run, and of the one that tells how right it is.
@@ -28,18 +28,11 @@ pub(super) struct Truth {
 
 /// The scene by the adaptive method.
 fn adaptive(scene: &Scene, tolerance: f64) -> Option<Scene> {
-    let Method::Soft(Soft {
-        law: Law::Hooke { contact_time },
-        attraction,
-        ..
-    }) = scene.method
-    else {
-        return None;
-    };
+    let soft = scene.soft().filter(|_| !scene.depends_on_speed())?;
     let method = Method::Soft(Soft {
-        law: Law::Power(PowerLaw::linear(scene.restitution, contact_time)),
+        law: Law::powers(soft.law.in_powers(scene.restitution)),
         solver: Solver::Adaptive { tolerance },
-        attraction,
+        ..soft
     });
     let facts = scene.facts().clone();
     Scene::new(Facts { method, ..facts }).ok()

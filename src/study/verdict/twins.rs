@@ -2,7 +2,7 @@
 
 use super::column::{Column, Missing, SLICES};
 use super::{LIKELY, Quantity, SURE, Verdict, decide};
-use crate::scene::{CollisionRule, Facts, Floor, Method, MethodName, Scene, SceneError, Shake};
+use crate::scene::{CollisionRule, Facts, Method, MethodName, Scene, SceneError, Shake};
 use crate::study::{RunError, Watch};
 
 /// Periods of the first look at the means; every next is after twice as many.
@@ -30,9 +30,9 @@ pub fn verdict(scene: &Scene, watch: &mut Watch) -> Result<Verdict, RunError> {
         Ok(columns) => columns,
         Err(error) => return Ok(Verdict::by_sigma0(scene, &error.to_string())),
     };
-    let compared = match (scene.gravity, scene.floor) {
+    let compared = match (scene.gravity, scene.shake()) {
         (None, _) => launched(scene, &mut columns, watch),
-        (Some(_), Floor::Vibrating(Shake { amplitude, .. })) if amplitude > 0.0 => {
+        (Some(_), Some(Shake { amplitude, .. })) if amplitude > 0.0 => {
             shaken(amplitude, &mut columns, watch)
         }
         _ => falling(&mut columns, watch),

@@ -6,9 +6,7 @@ use std::cell::OnceCell;
 use crate::live::reference;
 use crate::physics::spectrum::too_few_steps;
 use crate::scene::parameters::{self, Parameter, Setting, Value, table};
-use crate::scene::{
-    Facts, GridSettings, Law, Method, MethodName, Preset, Scene, SceneError, Soft, Solver,
-};
+use crate::scene::{Facts, Method, MethodName, Preset, Scene, SceneError};
 
 /// Edits that can be undone.
 const UNDO: usize = 200;
@@ -179,7 +177,7 @@ impl Bench {
             return Ok(());
         }
         let before = &self.scenes[0];
-        let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
+        let ruled = |scene: &Scene| scene.depends_on_speed();
         if hard.is_md() || soft.restitution == before.restitution || !(ruled(soft) || ruled(before))
         {
             return Ok(());
@@ -271,16 +269,11 @@ impl Bench {
     /// The scene with the steps, or the tolerance, that were last in force.
     fn as_before(&self, scene: &Scene) -> Result<Scene, SceneError> {
         let mut facts = scene.facts().clone();
-        if let Method::Soft(Soft { solver, .. }) = &mut facts.method {
-            match solver {
-                Solver::Grid(GridSettings {
-                    steps_per_contact, ..
-                }) => *steps_per_contact = self.steps.unwrap_or(*steps_per_contact),
-                Solver::Adaptive { tolerance } => {
-                    *tolerance = self.tolerance.unwrap_or(*tolerance);
-                }
-                Solver::Exact => {}
-            }
+        if let (Some(grid), Some(steps)) = (facts.grid_mut(), self.steps) {
+            grid.steps_per_contact = steps;
+        }
+        if let (Some(now), Some(before)) = (facts.tolerance_mut(), self.tolerance) {
+            *now = before;
         }
         Scene::new(facts)
     }
@@ -359,20 +352,9 @@ impl Bench {
                 &mut self.hard
             };
             *memory = Some(scene.method);
-            match scene.method {
-                Method::Soft(Soft {
-                    solver:
-                        Solver::Grid(GridSettings {
-                            steps_per_contact, ..
-                        }),
-                    ..
-                }) => self.steps = Some(steps_per_contact),
-                Method::Soft(Soft {
-                    solver: Solver::Adaptive { tolerance },
-                    ..
-                }) => self.tolerance = Some(tolerance),
-                _ => {}
-            }
+            let steps = scene.grid().map(|grid| grid.steps_per_contact);
+            self.steps = steps.or(self.steps);
+            self.tolerance = scene.tolerance().or(self.tolerance);
         }
         self.references = self.scenes.iter().map(reference).collect();
         self.least_steps = vec![OnceCell::new(); self.scenes.len()];

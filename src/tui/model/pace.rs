@@ -1,7 +1,7 @@
 //! How long a page is, and how fast simulated time goes.
 
 use crate::math;
-use crate::scene::{Floor, Launch, Scene, Shake, Start};
+use crate::scene::{Floor, Scene};
 
 /// A speed of the ladder 1, 2, 5, 10 … in simulated seconds in a second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -80,7 +80,7 @@ pub fn span(scenes: &[Scene], cells: u16) -> f64 {
         return 1.0;
     };
     let span = match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(Shake { frequency, .. }), _) => periods(cells) / frequency,
+        (Floor::Vibrating(shake), _) => periods(cells) / shake.frequency,
         (Floor::Fixed, Some(gravity)) => bounces(scene, gravity),
         (Floor::Fixed, None) => collision(scenes),
     };
@@ -137,10 +137,9 @@ fn collision(scenes: &[Scene]) -> f64 {
 }
 
 fn separated(scene: &Scene) -> (f64, f64) {
-    match scene.start {
-        Start::Launched(Launch { s0, v0, .. }) => (s0, v0),
-        Start::Resting => (0.0, 0.0),
-    }
+    scene
+        .launch()
+        .map_or((0.0, 0.0), |launch| (launch.s0, launch.v0))
 }
 
 #[cfg(test)]

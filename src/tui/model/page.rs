@@ -2,7 +2,7 @@
 
 use super::scale::Scale;
 use crate::live::{History, Row, Sample, Sweep};
-use crate::scene::{Floor, Launch, Scene, Shake, Start};
+use crate::scene::{Launch, Scene, Shake};
 
 /// Everything the traces are drawn from.
 #[derive(Debug, Clone)]
@@ -130,11 +130,11 @@ fn extent<'a>(samples: impl Iterator<Item = &'a Sample>) -> Option<(f64, f64)> {
 fn expected(scenes: &[Scene], span: f64) -> Scale {
     let (mut bottom, mut top) = (0.0f64, 0.0f64);
     for scene in scenes {
-        if let Floor::Vibrating(Shake { amplitude, .. }) = scene.floor {
+        if let Some(Shake { amplitude, .. }) = scene.shake() {
             bottom = bottom.min(-amplitude);
             top = top.max(4.0 * amplitude);
         }
-        if let Start::Launched(Launch { s0, v0, .. }) = scene.start {
+        if let Some(Launch { s0, v0, .. }) = scene.launch() {
             let overlap = v0.abs() * scene.contact_time().unwrap_or(0.0);
             bottom = bottom.min(-2.0 * overlap);
             top = top.max(s0 * scene.layers() as f64).max(4.0 * overlap);

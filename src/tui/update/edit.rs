@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::Command;
 use crate::live::Order;
 use crate::scene::parameters::{self, Parameter, Value};
-use crate::scene::{Law, MethodName, Scene, SceneError};
+use crate::scene::{MethodName, Scene, SceneError};
 use crate::tui::model::{Bench, Change, Model};
 use crate::tui::theme::Theme;
 
@@ -79,7 +79,7 @@ pub(super) fn set(
     let changed = model.bench.set(parameter, value)?;
     // What was typed is what is repeated: α is kept as an amplitude, to the last bit or so.
     let told = change(parameter, before, value, model.theme);
-    let ruled = |scene: &Scene| matches!(scene.law(), Some(Law::Power(_)));
+    let ruled = |scene: &Scene| scene.depends_on_speed();
     let ruled = parameter.name == "restitution" && model.bench.scenes().iter().any(ruled);
     let remark = ruled.then_some("of hard spheres only: soft ones have that of their law");
     Ok(tell(model, &changed, &[told], remark, now))

@@ -11,7 +11,6 @@ use super::text::{columns, fitted, line};
 use super::trace::clear;
 use crate::live::{Accuracy, Status};
 use crate::math;
-use crate::scene::{Method, Soft, Solver};
 use crate::tui::model::{Model, Notice};
 use crate::tui::numbers::{clock, scientific, short, with_unit};
 
@@ -65,12 +64,9 @@ fn error(model: &Model, side: usize) -> (Vec<String>, Style) {
     let theme = model.theme;
     let reference = model.bench.references().get(side);
     let against = match reference {
-        Some(Ok(scene)) => match scene.method {
-            Method::Soft(Soft {
-                solver: Solver::Adaptive { tolerance },
-                ..
-            }) => format!("tolerance {tolerance:.0e}"),
-            _ => "exact".to_owned(),
+        Some(Ok(scene)) => match scene.tolerance() {
+            Some(tolerance) => format!("tolerance {tolerance:.0e}"),
+            None => "exact".to_owned(),
         },
         _ => return (Vec::new(), theme.quiet()),
     };

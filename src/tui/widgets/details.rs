@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::text::line;
 use crate::physics::Observation;
-use crate::scene::{Floor, Scene, Shake};
+use crate::scene::Scene;
 use crate::tui::model::Model;
 use crate::tui::numbers::{scientific, short, with_unit};
 
@@ -42,7 +42,7 @@ fn all(_: &Scene) -> bool {
 }
 
 fn moves(scene: &Scene) -> bool {
-    matches!(scene.floor, Floor::Vibrating(Shake { .. }))
+    scene.shake().is_some()
 }
 
 fn heavy(scene: &Scene) -> bool {

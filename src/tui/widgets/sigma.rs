@@ -7,7 +7,6 @@ use ratatui::style::Style;
 use super::details;
 use super::text::{columns, line, wrapped};
 use super::verdict::{Pieces, compared, decisive, in_words, relative};
-use crate::scene::Law;
 use crate::tui::model::Model;
 use crate::tui::numbers;
 
@@ -97,7 +96,7 @@ fn lines(model: &Model, width: u16, with_history: bool) -> Vec<Said> {
         say(4, vec![(fitting(told(value), ""), theme.quiet())]);
     }
     // Under a power law t_c depends on the speed: say which one σ is taken with.
-    if let (Some(Law::Power(_)), Some(contact_time)) = (scene.law(), scene.contact_time()) {
+    if let Some(contact_time) = scene.contact_time().filter(|_| scene.depends_on_speed()) {
         let speed = numbers::short(scene.own_speed());
         let time = numbers::with_unit(contact_time, "s");
         let words = [format!("t_c {time} at {speed} m/s"), format!("t_c {time}")];

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::text::{columns, line};
-use crate::scene::{CollisionRule, GridSettings, Integrator, LawName, Method, Soft, Solver};
+use crate::scene::{CollisionRule, Integrator, Method, Scene, Solver};
 use crate::tui::model::Model;
 use crate::tui::numbers::scientific;
 
@@ -27,11 +27,11 @@ pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
         let drift = side.seen.energy.drift;
         [scientific(drift), format!("{drift:.0e}")].map(|number| format!(" drift {number} "))
     });
-    let in_full = with_numbers(&scene.method);
+    let in_full = with_numbers(scene);
     let methods = [
-        with_law(in_full.clone(), &scene.method),
+        with_law(&in_full, scene),
         in_full,
-        in_short(&scene.method),
+        with_law(in_short(scene), scene),
     ];
     let mut title = line(theme, buffer, inner, 0);
     title
@@ -59,71 +59,39 @@ pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
 }
 
 /// `Gear, t_c/100`; `adaptive, 1e-10`.
-fn with_numbers(method: &Method) -> String {
-    match method {
-        Method::Soft(Soft {
-            solver: Solver::Exact,
-            ..
-        }) => "exact".to_owned(),
-        Method::Soft(Soft {
-            solver: Solver::Adaptive { tolerance },
-            ..
-        }) => format!("adaptive, {}", power_of_ten(*tolerance)),
-        Method::Soft(Soft {
-            solver:
-                Solver::Grid(GridSettings {
-                    integrator,
-                    steps_per_contact,
-                }),
-            ..
-        }) => {
-            let steps = (steps_per_contact * 1e6).round() / 1e6;
-            format!("{}, t_c/{steps}", integrator_name(*integrator))
-        }
-        Method::Hard(CollisionRule::Lrv) => "hard spheres".to_owned(),
-        Method::Hard(CollisionRule::Tc { .. }) => "hard spheres, rule tc".to_owned(),
+fn with_numbers(scene: &Scene) -> String {
+    let name = in_short(scene);
+    if let Some(grid) = scene.grid() {
+        let steps = (grid.steps_per_contact * 1e6).round() / 1e6;
+        return format!("{name}, t_c/{steps}");
+    }
+    match (scene.tolerance(), scene.method) {
+        (Some(tolerance), _) => format!("{name}, {}", power_of_ten(tolerance)),
+        (None, Method::Hard(CollisionRule::Tc { .. })) => format!("hard spheres, {name}"),
+        (None, _) => name.to_owned(),
     }
 }
 
-fn in_short(method: &Method) -> String {
-    let how = match method {
-        Method::Soft(Soft {
-            solver: Solver::Exact,
-            ..
-        }) => "exact",
-        Method::Soft(Soft {
-            solver: Solver::Adaptive { .. },
-            ..
-        }) => "adaptive",
-        Method::Soft(Soft {
-            solver: Solver::Grid(GridSettings { integrator, .. }),
-            ..
-        }) => integrator_name(*integrator),
+fn in_short(scene: &Scene) -> &'static str {
+    match scene.method {
+        Method::Soft(soft) => match soft.solver {
+            Solver::Grid(grid) => match grid.integrator {
+                Integrator::Gear => "Gear",
+                Integrator::Verlet => "Verlet",
+            },
+            Solver::Exact => "exact",
+            Solver::Adaptive { .. } => "adaptive",
+        },
         Method::Hard(CollisionRule::Lrv) => "hard spheres",
         Method::Hard(CollisionRule::Tc { .. }) => "rule tc",
-    };
-    with_law(how.to_owned(), method)
-}
-
-fn integrator_name(integrator: Integrator) -> &'static str {
-    match integrator {
-        Integrator::Gear => "Gear",
-        Integrator::Verlet => "Verlet",
     }
 }
 
-fn with_law(how: String, method: &Method) -> String {
-    let Method::Soft(Soft { law, .. }) = method else {
-        return how;
-    };
-    let law = match law.name() {
-        LawName::Hooke => return how,
-        LawName::Hertz => "Hertz",
-        LawName::HertzKuwabaraKono => "Hertz-KK",
-        LawName::Taguchi => "Taguchi",
-        LawName::Power => "power law",
-    };
-    format!("{how}, {law}")
+fn with_law(how: &str, scene: &Scene) -> String {
+    match scene.law().and_then(|law| law.name().title()) {
+        Some(law) => format!("{how}, {law}"),
+        None => how.to_owned(),
+    }
 }
 
 /// `1e-10`, and `2.5e-10` where it is none.

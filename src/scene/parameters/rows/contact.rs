@@ -2,11 +2,11 @@
 
 use super::{DECADES, ROW, SOFT};
 use crate::scene::parameters::access::{
-    attraction, choice, contact_time, exponents, flag, number, power, set_contact_time,
-    set_exponents, set_power,
+    choice, contact_time, exponents, flag, number, power, set_contact_time, set_exponents,
+    set_power,
 };
 use crate::scene::parameters::{Kind, Parameter, Scale, Value};
-use crate::scene::{FloorContact, LawName, Method, Soft};
+use crate::scene::{FloorContact, LawName};
 
 const SAME_SPRING: &str = "same-spring";
 const SAME_RESTITUTION: &str = "same-restitution";
@@ -44,11 +44,7 @@ pub(super) const RESTITUTION: Parameter = Parameter {
     },
     note: " (soft contacts: above 0)",
     belongs_to: GIVEN,
-    get: |facts| {
-        power(facts)
-            .is_none()
-            .then_some(Value::Number(facts.restitution))
-    },
+    get: |facts| (!facts.depends_on_speed()).then_some(Value::Number(facts.restitution)),
     set: |facts, value| number(value, |x| facts.restitution = x),
     ..ROW
 };
@@ -178,11 +174,11 @@ pub(super) const ATTRACTION: Parameter = Parameter {
     help: "let the attractive end of a contact act, as in the paper",
     kind: Kind::Flag,
     belongs_to: SOFT,
-    get: |facts| attraction(facts).map(Value::Flag),
+    get: |facts| facts.soft().map(|soft| Value::Flag(soft.attraction)),
     set: |facts, value| {
         flag(value, |on| {
-            if let Method::Soft(Soft { attraction, .. }) = &mut facts.method {
-                *attraction = on;
+            if let Some(soft) = facts.soft_mut() {
+                soft.attraction = on;
             }
         });
     },
