@@ -4,6 +4,7 @@
 //! amplitude, a scene without gravity has no weight, a hard-sphere scene has no
 //! contact time. So no engine can pay for it and no panel can show it.
 
+mod draft;
 mod encounter;
 mod error;
 pub mod lattice;
@@ -16,6 +17,7 @@ mod start;
 mod validate;
 pub(crate) mod words;
 
+pub use draft::Draft;
 pub use encounter::rebound;
 pub use error::SceneError;
 pub use law::{Exponents, Law, LawName, PowerLaw};

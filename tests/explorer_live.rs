@@ -6,7 +6,7 @@ mod explorer;
 use std::time::Duration;
 
 use beadlab::live::{self, Frame, Order, Status};
-use beadlab::scene::Floor;
+use beadlab::study::vary;
 use explorer::{Fault, faulty, load, real, sweep, twins, until};
 
 #[test]
@@ -121,11 +121,10 @@ fn edits_go_on_and_change_what_moves() {
     let scenes = twins("shaken");
     load(&live, scenes.clone(), sweep(0.3, false), 0.1, true);
     let before = until(&live, |frame| frame.time > 0.02);
-    let row = beadlab::scene::parameters::find("restitution").expect("there is one");
     let value = beadlab::scene::parameters::Value::Number(0.9);
     let edited = scenes
         .iter()
-        .map(|scene| beadlab::scene::parameters::edit(scene, row, value).expect("0.9 is allowed"))
+        .map(|scene| vary(scene, None, &[("restitution", value)]).expect("0.9 is allowed"))
         .collect();
     live.orders
         .send(Order::Edit {
@@ -152,21 +151,15 @@ fn both_columns_stand_on_one_plate_after_edits_of_it() {
     let live = live::spawn(real()).expect("threads are to be had");
     let scenes = twins("shaken");
     load(&live, scenes.clone(), sweep(0.3, false), 0.1, true);
-    let row = beadlab::scene::parameters::find("amplitude").expect("there is one");
-    let (frequency, own) = match scenes[0].floor {
-        Floor::Vibrating(beadlab::scene::Shake {
-            amplitude,
-            frequency,
-        }) => (frequency, amplitude),
-        Floor::Fixed => unreachable!("shaken"),
-    };
+    let shake = scenes[0].shake().expect("the columns are shaken");
+    let (frequency, own) = (shake.frequency, shake.amplitude);
     let mut time = 0.0;
     for (k, factor) in [3.0, 0.2, 1.5, 1.0].into_iter().enumerate() {
         until(&live, |frame| frame.time > time + 0.043);
         let value = beadlab::scene::parameters::Value::Number(factor * own);
-        let edited = scenes.iter().map(|scene| {
-            beadlab::scene::parameters::edit(scene, row, value).expect("an allowed amplitude")
-        });
+        let edited = scenes
+            .iter()
+            .map(|scene| vary(scene, None, &[("amplitude", value)]).expect("an allowed amplitude"));
         let order = Order::Edit {
             scenes: edited.collect(),
             from: vec![0, 1],

@@ -14,6 +14,7 @@ use beadlab::physics::{self, Engine, Handover, Outcome, State};
 use beadlab::scene::{
     Facts, GridSettings, Integrator, Method, MethodName, Scene, Soft, Solver, parameters,
 };
+use beadlab::study::vary;
 use beadlab::tui::model::Model;
 use beadlab::tui::update::{Command, Msg, update};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -190,9 +191,8 @@ fn a_shadow_that_stops_says_why_and_the_column_goes_on() {
 fn an_edit_starts_it_again() {
     let live = in_the_midst(coarse_verlet(), real());
     step_to(&live, 3e-5, 8e-5);
-    let row = parameters::find("restitution").expect("there is one");
     let value = parameters::Value::Number(0.8);
-    let edited = parameters::edit(&coarse_verlet(), row, value).expect("0.8 is allowed");
+    let edited = vary(&coarse_verlet(), None, &[("restitution", value)]).expect("it is allowed");
     send(
         &live,
         Order::Edit {

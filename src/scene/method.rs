@@ -1,10 +1,9 @@
 //! Methods by the names that people type, and the change from one to another.
 
 use super::{
-    CollisionRule, Facts, GridSettings, Integrator, Law, LawName, Method, Scene, SceneError, Soft,
-    Solver,
+    CollisionRule, Draft, Facts, GridSettings, Integrator, Law, LawName, Method, Scene, SceneError,
+    Soft, Solver,
 };
-use crate::scene::parameters;
 
 /// Steps in a contact time where nobody says otherwise.
 const COMMON_STEPS: f64 = 100.0;
@@ -69,11 +68,9 @@ impl Method {
 }
 
 impl Facts {
-    /// The same facts under another method. What the new method shares with the
-    /// old one is kept; a contact time that it needs and nobody has is NaN, "not
-    /// given yet".
-    pub(in crate::scene) fn under(&self, name: MethodName) -> Self {
-        let method = match name {
+    /// Puts another method in force. What it shares with the old one is kept.
+    pub(in crate::scene) fn turn_to(&mut self, name: MethodName) {
+        self.method = match name {
             MethodName::Gear => self.softened(self.on_grid(Integrator::Gear)),
             MethodName::Verlet => self.softened(self.on_grid(Integrator::Verlet)),
             MethodName::Exact => self.softened(self.located()),
@@ -82,10 +79,6 @@ impl Facts {
                 hard @ Method::Hard(_) => hard,
             },
         };
-        Self {
-            method,
-            ..self.clone()
-        }
     }
 
     /// The grid in force, or a common one, for this integrator.
@@ -125,7 +118,8 @@ impl Facts {
     /// The soft contacts in force, or those of the linear law, under this solver.
     fn softened(&self, solver: Solver) -> Method {
         let linear = Soft {
-            law: Law::linear(self.contact_time().unwrap_or(f64::NAN)),
+            // Who has no contact time yet has it missing (`Draft`).
+            law: Law::linear(self.contact_time().unwrap_or(1.0)),
             solver,
             attraction: true,
         };
@@ -144,9 +138,7 @@ impl Scene {
     /// When the scene has no contact time for soft contacts, or a restitution of
     /// 0, which they cannot have.
     pub fn with_method(&self, name: MethodName) -> Result<Self, SceneError> {
-        let facts = self.facts().under(name);
-        parameters::complete(&facts)?;
-        Self::new(facts)
+        Draft::of(self).under(name).finish()
     }
 }
 

@@ -9,7 +9,7 @@ mod rows;
 mod units;
 
 pub use display::{display, display_ascii, help};
-pub use layer::{Setting, apply, complete, edit};
+pub use layer::Setting;
 pub use nudge::nudge;
 pub use units::{PREFIXES, Prefix};
 
@@ -104,6 +104,10 @@ pub struct Parameter {
     pub live: bool,
     /// Whether a scene that has the parameter may leave it without a value.
     pub optional: bool,
+    /// Whether a file must give it, where the scene has it and nothing else says it.
+    pub needed: bool,
+    /// When it is set among others of a layer: the lower ones first.
+    pub order: u8,
     /// Its value in a scene, if the scene has one.
     pub get: fn(&Facts) -> Option<Value>,
     /// Puts a value that [`Parameter::check`] allows into a scene that has it.

@@ -7,9 +7,9 @@ mod parse;
 
 pub use embedded::embedded;
 
-use super::parameters::{self, Setting};
+use super::parameters::Setting;
 use super::words::{did_you_mean, quote};
-use super::{MethodName, Scene, SceneError};
+use super::{Draft, MethodName, Scene, SceneError};
 
 /// A scene and its texts. Each text is one paragraph without line breaks: the
 /// title fits a line of 70 columns, the others three.
@@ -118,14 +118,13 @@ impl Preset {
         if method.is_none() && settings.is_empty() {
             return Ok(self.clone());
         }
-        let mut facts = match method {
-            Some(name) => self.scene.facts().under(name),
-            None => self.scene.facts().clone(),
-        };
-        parameters::apply(&mut facts, settings)?;
-        parameters::complete(&facts)?;
+        let mut draft = Draft::of(&self.scene);
+        if let Some(name) = method {
+            draft = draft.under(name);
+        }
+        draft.set(settings)?;
         Ok(Self {
-            scene: Scene::new(facts)?,
+            scene: draft.finish()?,
             title: format!("{} (changed)", self.title),
             beside: None,
             ..self.clone()

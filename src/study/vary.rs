@@ -1,8 +1,8 @@
 //! Scenes that differ from another in a few things.
 
 use crate::physics::{self, Engine};
-use crate::scene::parameters::{self, Setting, Value, find};
-use crate::scene::{MethodName, Scene, SceneError};
+use crate::scene::parameters::{Setting, Value, find};
+use crate::scene::{Draft, MethodName, Scene, SceneError};
 
 /// The scene under a method, with other values of parameters.
 ///
@@ -13,18 +13,17 @@ pub fn vary(
     method: Option<MethodName>,
     values: &[(&'static str, Value)],
 ) -> Result<Scene, SceneError> {
-    let varied = match method {
-        Some(name) => scene.with_method(name)?,
-        None => scene.clone(),
-    };
-    let mut facts = varied.facts().clone();
+    let mut draft = Draft::of(scene);
+    if let Some(name) = method {
+        draft = draft.under(name);
+    }
     let layer: Vec<Setting> = values
         .iter()
         .filter_map(|&(name, value)| Some((find(name)?, value)))
         .map(|(parameter, value)| Setting { parameter, value })
         .collect();
-    parameters::apply(&mut facts, &layer)?;
-    Scene::new(facts)
+    draft.set(&layer)?;
+    draft.finish()
 }
 
 /// Ways in which the last bits of a start can differ.

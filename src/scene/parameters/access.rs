@@ -125,11 +125,9 @@ pub(super) fn set_alpha(facts: &mut Facts, alpha: f64) {
     }
 }
 
-/// The TC rule starts without a contact time: NaN, "not given yet".
+/// The TC rule starts without a contact time, which is missing then ([`crate::scene::Draft`]).
 pub(super) fn set_rule(facts: &mut Facts, word: &str) {
-    let timed = CollisionRule::Tc {
-        contact_time: f64::NAN,
-    };
+    let timed = CollisionRule::Tc { contact_time: 1.0 };
     if let Method::Hard(rule) = &mut facts.method
         && rule.as_str() != word
     {

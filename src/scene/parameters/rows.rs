@@ -41,6 +41,22 @@ const AMPLITUDES: Scale = Scale::Log {
     smallest: 1e-6,
 };
 
+/// The order in which a layer's settings act.
+pub(super) mod order {
+    /// Decides whether there is a contact time.
+    pub const RULE: u8 = 0;
+    /// All that moves the column.
+    pub const PLAIN: u8 = 1;
+    /// α is turned into an amplitude by the frequency and gravity in force.
+    pub const ALPHA: u8 = 2;
+    /// A change of law keeps collisions alike at the speed that follows.
+    pub const LAW: u8 = 3;
+    /// So does a change of exponents.
+    pub const EXPONENTS: u8 = 4;
+    /// What the law has.
+    pub const CONSTANTS: u8 = 5;
+}
+
 /// What most rows share.
 const ROW: Parameter = Parameter {
     name: "",
@@ -54,6 +70,8 @@ const ROW: Parameter = Parameter {
     belongs_to: "all scenes",
     live: true,
     optional: false,
+    needed: false,
+    order: order::PLAIN,
     get: |_| None,
     set: |_, _| {},
 };
@@ -82,6 +100,7 @@ pub(super) static ROWS: &[Parameter] = &[
             scale: AMPLITUDES,
         },
         belongs_to: VIBRATING,
+        needed: true,
         get: |facts| facts.shake().map(|shake| Value::Number(shake.amplitude)),
         set: |facts, value| number(value, |x| shake(facts, |shake| shake.amplitude = x)),
         ..ROW
@@ -100,6 +119,7 @@ pub(super) static ROWS: &[Parameter] = &[
             },
         },
         belongs_to: VIBRATING,
+        order: order::ALPHA,
         get: |facts| facts.alpha().map(Value::Number),
         set: |facts, value| number(value, |x| set_alpha(facts, x)),
         ..ROW
@@ -119,6 +139,7 @@ pub(super) static ROWS: &[Parameter] = &[
             },
         },
         belongs_to: VIBRATING,
+        needed: true,
         get: |facts| facts.shake().map(|shake| Value::Number(shake.frequency)),
         set: |facts, value| number(value, |x| shake(facts, |shake| shake.frequency = x)),
         ..ROW
@@ -156,6 +177,7 @@ pub(super) static ROWS: &[Parameter] = &[
         },
         belongs_to: SEPARATED,
         live: false,
+        needed: true,
         get: |facts| facts.launch().map(|launch| Value::Number(launch.s0)),
         set: |facts, value| number(value, |x| launch(facts, |launch| launch.s0 = x)),
         ..ROW
@@ -178,6 +200,7 @@ pub(super) static ROWS: &[Parameter] = &[
         note: " (without gravity: below 0)",
         belongs_to: SEPARATED,
         live: false,
+        needed: true,
         get: |facts| facts.launch().map(|launch| Value::Number(launch.v0)),
         set: |facts, value| number(value, |x| launch(facts, |launch| launch.v0 = x)),
         ..ROW
@@ -206,6 +229,7 @@ pub(super) static ROWS: &[Parameter] = &[
             scale: DECADES,
         },
         live: false,
+        needed: true,
         get: |facts| Some(Value::Number(facts.diameter)),
         set: |facts, value| number(value, |x| facts.diameter = x),
         ..ROW
@@ -296,6 +320,7 @@ pub(super) static ROWS: &[Parameter] = &[
             },
         },
         belongs_to: ADAPTIVE,
+        order: order::CONSTANTS,
         get: |facts| facts.tolerance().map(Value::Number),
         set: |facts, value| number(value, |x| set_tolerance(facts, x)),
         ..ROW
@@ -307,6 +332,7 @@ pub(super) static ROWS: &[Parameter] = &[
         help: "collisions that dissipate: all, or not within contact_time",
         kind: Kind::Choice(CollisionRule::WORDS),
         belongs_to: HARD,
+        order: order::RULE,
         get: |facts| match facts.method {
             Method::Hard(rule) => Some(Value::Choice(rule.as_str())),
             Method::Soft(_) => None,

@@ -4,7 +4,7 @@ mod typing;
 
 use super::*;
 use crate::scene::validate::example;
-use crate::scene::{Arrangement, Floor, Launch, MethodName, Scene, Shake, Start};
+use crate::scene::{Arrangement, Draft, Floor, Launch, MethodName, Scene, Shake, Start};
 
 fn example_scene() -> Scene {
     Scene::new(example()).expect("the example is a scene")
@@ -44,10 +44,9 @@ fn settings(pairs: &[(&str, &str)]) -> Vec<Setting> {
 }
 
 fn layered(scene: &Scene, pairs: &[(&str, &str)]) -> Result<Scene, SceneError> {
-    let mut facts = scene.facts().clone();
-    apply(&mut facts, &settings(pairs))?;
-    complete(&facts)?;
-    Scene::new(facts)
+    let mut draft = Draft::of(scene);
+    draft.set(&settings(pairs))?;
+    draft.finish()
 }
 
 /// The bits of a scene's amplitude.
@@ -266,8 +265,7 @@ fn alpha_uses_the_frequency_of_its_layer_in_any_order() {
 
 #[test]
 fn editing_the_frequency_keeps_the_amplitude() {
-    let frequency = find("frequency").expect("a row");
-    let edited = edit(&shaken(), frequency, Value::Number(30.0)).expect("in range");
+    let edited = layered(&shaken(), &[("frequency", "30")]).expect("in range");
     assert_eq!(amplitude(&edited).to_bits(), amplitude(&shaken()).to_bits());
     let alpha = edited.alpha().expect("a plate") / shaken().alpha().expect("a plate");
     assert!((alpha - 2.25).abs() < 1e-12, "{alpha}");

@@ -7,8 +7,8 @@ use crate::scene::parameters::{self, Kind, Parameter, Setting, Value};
 use crate::scene::validate::check_frame;
 use crate::scene::words::{did_you_mean, one_line, quote};
 use crate::scene::{
-    Arrangement, Facts, Floor, FloorContact, Launch, Law, Method, MethodName, Scene, SceneError,
-    Shake, Soft, Solver, Start,
+    Arrangement, Draft, Facts, Floor, FloorContact, Launch, Law, Method, MethodName, Scene,
+    SceneError, Shake, Soft, Solver, Start,
 };
 use toml::de::DeValue;
 
@@ -130,8 +130,9 @@ fn must_be(entry: &Entry, allowed: &str) -> String {
 }
 
 fn scene(entries: &Entries) -> Result<Scene, PresetError> {
-    let mut facts = frame(entries)?;
+    let facts = frame(entries)?;
     check_frame(&facts).map_err(|error| locate(entries, error))?;
+    let mut draft = Draft::framed(facts);
     let mut layer = Vec::new();
     for entry in entries.iter() {
         if let Some(parameter) = parameters::find(&entry.key) {
@@ -139,9 +140,9 @@ fn scene(entries: &Entries) -> Result<Scene, PresetError> {
             layer.push(Setting { parameter, value });
         }
     }
-    parameters::apply(&mut facts, &layer)
-        .and_then(|()| parameters::complete(&facts))
-        .and_then(|()| Scene::new(facts))
+    draft
+        .set(&layer)
+        .and_then(|()| draft.finish())
         .map_err(|error| locate(entries, error))
 }
 
@@ -162,15 +163,14 @@ fn locate(entries: &Entries, error: SceneError) -> PresetError {
     entries.about(&key, what)
 }
 
-/// Facts with the right frame, in which every number that the file must give is
-/// still "not given yet".
+/// Facts with the right frame, of which no number that the file must give is given yet.
 fn frame(entries: &Entries) -> Result<Facts, PresetError> {
-    let gravity = entries.find("gravity").map(|_| f64::NAN);
+    let gravity = entries.find("gravity").map(|_| 1.0);
     let method = word(entries, "method")?.ok_or_else(|| missing(entries, "method"))?;
     let start = word(entries, "start")?.ok_or_else(|| missing(entries, "start"))?;
     let floor = word(entries, "floor")?.unwrap_or("fixed");
     let arrangement = word(entries, "arrangement")?.unwrap_or("column");
-    let facts = Facts {
+    let mut facts = Facts {
         arrangement: match arrangement {
             "lattice" => Arrangement::Lattice {
                 columns: COLUMNS,
@@ -178,36 +178,37 @@ fn frame(entries: &Entries) -> Result<Facts, PresetError> {
             },
             _ => Arrangement::Column,
         },
-        n: 0,
-        diameter: f64::NAN,
+        n: COLUMNS,
+        diameter: 1.0,
         width: 0.0,
         seed: 1,
-        restitution: f64::NAN,
+        restitution: 1.0,
         floor_contact: FloorContact::SameSpring,
         start: match start {
             "resting" => Start::Resting,
             _ => Start::Launched(Launch {
-                s0: f64::NAN,
+                s0: 0.0,
                 jitter: false,
-                v0: f64::NAN,
+                v0: -1.0,
             }),
         },
         gravity,
         floor: match floor {
             "vibrating" => Floor::Vibrating(Shake {
-                amplitude: f64::NAN,
-                frequency: f64::NAN,
+                amplitude: 0.0,
+                frequency: 1.0,
             }),
             _ => Floor::Fixed,
         },
         method: Method::Soft(Soft {
-            law: Law::linear(f64::NAN),
+            law: Law::linear(1.0),
             solver: Solver::Exact,
             attraction: true,
         }),
         duration: gravity.map(|_| DEFAULT_DURATION),
     };
-    Ok(facts.under(MethodName::find(method).unwrap_or(MethodName::Gear)))
+    facts.turn_to(MethodName::find(method).unwrap_or(MethodName::Gear));
+    Ok(facts)
 }
 
 /// One of the words of the frame, if the file has it.

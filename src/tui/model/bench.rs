@@ -6,7 +6,7 @@ use std::cell::OnceCell;
 use crate::live::reference;
 use crate::physics::spectrum::too_few_steps;
 use crate::scene::parameters::{self, Parameter, Setting, Value, table};
-use crate::scene::{Facts, Method, MethodName, Preset, Scene, SceneError};
+use crate::scene::{Draft, Facts, Method, MethodName, Preset, Scene, SceneError};
 
 /// Edits that can be undone.
 const UNDO: usize = 200;
@@ -148,7 +148,7 @@ impl Bench {
     ) -> Result<Change, SceneError> {
         let has = |scene: &Scene| parameter.applies(scene.facts());
         if !self.edited_ones().iter().any(has) {
-            parameters::edit(&self.scenes[0], parameter, value)?;
+            Draft::of(&self.scenes[0]).set(&[Setting { parameter, value }])?;
         }
         let mut edited = self
             .scenes
@@ -195,7 +195,7 @@ impl Bench {
         parameter: &'static Parameter,
         value: Value,
     ) -> Result<Scene, SceneError> {
-        let mut facts = scene.facts().clone();
+        let mut draft = Draft::of(scene);
         let mut layer = vec![Setting { parameter, value }];
         // The TC rule needs a contact time, and the soft twin has one.
         if let (Value::Choice("tc"), Some(time), Some(row)) =
@@ -206,9 +206,8 @@ impl Bench {
                 value: Value::Number(time),
             });
         }
-        parameters::apply(&mut facts, &layer)?;
-        parameters::complete(&facts)?;
-        Scene::new(facts)
+        draft.set(&layer)?;
+        draft.finish()
     }
 
     /// Takes the last edit back, if there is one.

@@ -1,6 +1,6 @@
 //! Rows about the force of a contact.
 
-use super::{DECADES, ROW, SOFT};
+use super::{DECADES, ROW, SOFT, order};
 use crate::scene::parameters::access::{
     choice, contact_time, exponents, flag, number, power, set_contact_time, set_exponents,
     set_power,
@@ -44,6 +44,8 @@ pub(super) const RESTITUTION: Parameter = Parameter {
     },
     note: " (soft contacts: above 0)",
     belongs_to: GIVEN,
+    needed: true,
+    order: order::CONSTANTS,
     get: |facts| (!facts.depends_on_speed()).then_some(Value::Number(facts.restitution)),
     set: |facts, value| number(value, |x| facts.restitution = x),
     ..ROW
@@ -62,6 +64,8 @@ pub(super) const CONTACT_TIME: Parameter = Parameter {
         scale: DECADES,
     },
     belongs_to: TIMED,
+    needed: true,
+    order: order::CONSTANTS,
     get: |facts| contact_time(facts).map(Value::Number),
     set: |facts, value| number(value, |x| set_contact_time(facts, x)),
     ..ROW
@@ -74,6 +78,7 @@ pub(super) const LAW: Parameter = Parameter {
     help: "force of a contact; a new law keeps collisions alike",
     kind: Kind::Choice(LawName::WORDS),
     belongs_to: SOFT,
+    order: order::LAW,
     get: |facts| facts.law().map(|law| Value::Choice(law.name().as_str())),
     set: |facts, value| {
         choice(value, |word| {
@@ -92,6 +97,7 @@ pub(super) const BETA: Parameter = Parameter {
     help: "elastic force x^(1+beta); collisions stay alike",
     kind: EXPONENT,
     belongs_to: FREE,
+    order: order::EXPONENTS,
     get: |facts| exponents(facts).map(|(beta, _)| Value::Number(beta)),
     set: |facts, value| number(value, |x| set_exponents(facts, Some(x), None)),
     ..ROW
@@ -104,6 +110,7 @@ pub(super) const GAMMA: Parameter = Parameter {
     help: "dissipative force x^gamma dx/dt; collisions stay alike",
     kind: EXPONENT,
     belongs_to: FREE,
+    order: order::EXPONENTS,
     get: |facts| exponents(facts).map(|(_, gamma)| Value::Number(gamma)),
     set: |facts, value| number(value, |x| set_exponents(facts, None, Some(x))),
     ..ROW
@@ -121,6 +128,8 @@ pub(super) const STIFFNESS: Parameter = Parameter {
         scale: CONSTANTS,
     },
     belongs_to: POWER,
+    needed: true,
+    order: order::CONSTANTS,
     get: |facts| power(facts).map(|power| Value::Number(power.stiffness)),
     set: |facts, value| number(value, |x| set_power(facts, |power| power.stiffness = x)),
     ..ROW
@@ -138,6 +147,8 @@ pub(super) const DAMPING: Parameter = Parameter {
         scale: CONSTANTS,
     },
     belongs_to: POWER,
+    needed: true,
+    order: order::CONSTANTS,
     get: |facts| power(facts).map(|power| Value::Number(power.damping)),
     set: |facts, value| number(value, |x| set_power(facts, |power| power.damping = x)),
     ..ROW

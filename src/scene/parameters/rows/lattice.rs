@@ -21,6 +21,7 @@ pub(super) const COUNT: Parameter = Parameter {
     },
     belongs_to: COLUMN,
     live: false,
+    needed: true,
     get: |facts| {
         columns(facts)
             .is_none()
@@ -47,6 +48,7 @@ pub(super) const ROWS: Parameter = Parameter {
     },
     belongs_to: LATTICE,
     live: false,
+    needed: true,
     get: |facts| columns(facts).map(|columns| Value::Whole((facts.n / columns) as u64)),
     set: |facts, value| {
         whole(value, |rows| {
