@@ -12,6 +12,7 @@ mod forces;
 mod gear;
 mod list;
 mod mover;
+mod stepper;
 mod upkeep;
 mod verlet;
 mod view;
@@ -25,9 +26,10 @@ use super::state::State;
 use crate::scene::lattice::Sites;
 use crate::scene::{Arrangement, Integrator, Scene};
 use engine::Lattice;
-use forces::{Laws, Rubbing, Smooth, Surface};
+use forces::{Forces, Laws, Rubbing, Smooth, Surface};
 use gear::Gear;
-use mover::Mover;
+use mover::PlaneMoved;
+use stepper::PlaneStepper;
 use verlet::Verlet;
 
 /// What a lattice is, whatever moves it.
@@ -97,11 +99,16 @@ fn with_surface<L: ContactLaw + 'static, S: Surface + 'static>(
     }
 }
 
-fn moved_by<M: Mover + 'static, L: ContactLaw + 'static, S: Surface + 'static>(
+fn moved_by<M: PlaneStepper + 'static, L: ContactLaw + 'static, S: Surface + 'static>(
     plane: Plane,
-    state: State,
+    mut state: State,
     laws: Laws<L>,
     surface: S,
 ) -> Box<dyn Engine> {
-    Box::new(Lattice::<M, L, S>::new(plane, state, laws, surface))
+    let places = std::mem::take(&mut state.gaps);
+    let rates = std::mem::take(&mut state.rates);
+    let forces = Forces::new(plane.sites, laws, surface, &places);
+    let h = plane.settings.step();
+    let mover = PlaneMoved::<M, L, S>::new(places, &rates, h, forces);
+    Box::new(Lattice::new(plane, state, Box::new(mover), rates))
 }

@@ -9,6 +9,7 @@ mod engine;
 mod gear;
 mod ground;
 mod lanes;
+mod mover;
 mod stepper;
 mod upkeep;
 mod verlet;
@@ -107,10 +108,10 @@ impl<S: Stepper + 'static, G: Ground + 'static> Build for Parts<'_, S, G> {
         } = self;
         let laws: Vec<L> = column.springs.iter().map(|&spring| law(spring)).collect();
         if scene.width == 0.0 {
-            Md::<S, G, _>::boxed(scene, settings, state, column, Equal::new(&laws))
+            Md::boxed::<S, G, _>(scene, settings, state, column, Equal::new(&laws))
         } else {
             let chain = Unequal::new(&laws, &column.masses);
-            Md::<S, G, _>::boxed(scene, settings, state, column, chain)
+            Md::boxed::<S, G, _>(scene, settings, state, column, chain)
         }
     }
 }

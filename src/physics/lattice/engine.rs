@@ -3,20 +3,18 @@
 use std::collections::BTreeMap;
 
 use super::Plane;
-use super::forces::{Forces, Laws, Surface};
-use super::mover::Mover;
+use super::mover::PlaneMover;
 use super::view::View;
-use crate::physics::contact_law::ContactLaw;
 use crate::physics::grid::Grid;
 use crate::physics::ledger::Ledger;
 use crate::physics::observation::Observation;
 use crate::physics::state::{Books, Depth, State};
 use crate::physics::{Engine, EngineError, Outcome};
 
-/// A lattice on a grid of steps.
-pub(super) struct Lattice<M, L, S> {
-    pub(super) mover: M,
-    pub(super) forces: Forces<L, S>,
+/// A lattice on a grid of steps. What moves it is known when the program is compiled, and
+/// asked for many steps at a time; all else stands here once.
+pub(super) struct Lattice {
+    pub(super) mover: Box<dyn PlaneMover>,
     pub(super) plane: Plane,
     pub(super) grid: Grid,
     pub(super) state: State,
@@ -29,20 +27,23 @@ pub(super) struct Lattice<M, L, S> {
     pub(super) over: bool,
     /// Rates now, where they are wanted one by one.
     pub(super) rates: Vec<f64>,
+    /// Room for the bonds that began or ended in the last step.
+    pub(super) turned: Vec<usize>,
 }
 
-impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
-    pub(super) fn new(plane: Plane, mut state: State, laws: Laws<L>, surface: S) -> Self {
+impl Lattice {
+    /// Opens the books of a lattice in that state, which `mover` has begun to move from these
+    /// rates.
+    pub(super) fn new(
+        plane: Plane,
+        state: State,
+        mover: Box<dyn PlaneMover>,
+        rates: Vec<f64>,
+    ) -> Self {
         let h = plane.settings.step();
-        let places = std::mem::take(&mut state.gaps);
-        let rates = std::mem::take(&mut state.rates);
-        let mut forces = Forces::new(plane.sites, laws, surface, &places);
-        let mover = M::start(places, &rates, h, &mut forces);
-        forces.lost = 0.0;
         let slots = (1..).zip(&state.bonds).map(|(slot, bond)| (*bond, slot));
         let mut lattice = Self {
             mover,
-            forces,
             plane,
             grid: Grid::new(state.time, h),
             slots: slots.collect(),
@@ -50,6 +51,7 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
             busy: state.time,
             over: false,
             rates,
+            turned: Vec::new(),
             state,
         };
         lattice.set_quiet();
@@ -71,19 +73,15 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
             time: self.grid.time(),
             places,
             rates,
-            sites: &self.forces.sites,
-            list: &self.forces.list,
+            sites: &self.mover.web().sites,
+            list: &self.mover.web().list,
             springs: (self.plane.floor, self.plane.pair),
         }
     }
 
     /// Does up to `steps` steps, to where contacts change; how many it did.
     fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
-        let (mut done, mut changed) = (0, false);
-        while done < steps && !changed {
-            changed = self.mover.step(&mut self.forces);
-            done += 1;
-        }
+        let (done, changed) = self.mover.run(steps);
         self.grid.stepped(done);
         if changed {
             self.take_rates();
@@ -96,15 +94,14 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
     }
 
     pub(super) fn take_rates(&mut self) {
-        let accelerations = &self.forces.accelerations;
-        self.mover.rates(accelerations, &mut self.rates);
+        self.mover.rates(&mut self.rates);
     }
 
     /// Displacements and rates now, those of a flight included.
     pub(super) fn now(&self) -> (Vec<f64>, Vec<f64>) {
         let mut places = self.mover.places().to_vec();
         let mut rates = Vec::new();
-        self.mover.rates(&self.forces.accelerations, &mut rates);
+        self.mover.rates(&mut rates);
         if let Some(flown) = self.grid.flown() {
             for (place, rate) in places.iter_mut().zip(&rates) {
                 *place += rate * flown;
@@ -116,7 +113,7 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
     /// What is accounted for, up to now.
     pub(super) fn ledger(&self) -> Ledger {
         let mut ledger = self.state.books.ledger;
-        ledger.lost.add(self.forces.lost * self.grid.h);
+        ledger.lost.add(self.mover.web().lost * self.grid.h);
         ledger
     }
 
@@ -126,7 +123,7 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
     }
 }
 
-impl<M: Mover, L: ContactLaw, S: Surface> Engine for Lattice<M, L, S> {
+impl Engine for Lattice {
     fn time(&self) -> f64 {
         self.grid.time()
     }

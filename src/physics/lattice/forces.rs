@@ -40,38 +40,42 @@ impl Surface for Rubbing {
     }
 }
 
-/// The contacts of a lattice, and what they do to its beads.
-pub(super) struct Forces<L, S> {
+/// The contacts of a lattice, whatever their law.
+pub(super) struct Web {
     pub sites: Sites,
     pub list: List,
-    laws: Laws<L>,
-    surface: S,
     /// Accelerations of the beads, all across, then all up, m/s².
     pub accelerations: Vec<f64>,
     /// Power lost in contacts, summed over the steps since it was last taken, m²/s³.
     pub lost: f64,
 }
 
+/// The contacts of a lattice, and what they do to its beads.
+pub(super) struct Forces<L, S> {
+    pub web: Web,
+    laws: Laws<L>,
+    surface: S,
+}
+
 impl<L: ContactLaw, S: Surface> Forces<L, S> {
     pub fn new(sites: Sites, laws: Laws<L>, surface: S, places: &[f64]) -> Self {
-        Self {
+        let web = Web {
             list: List::new(&sites, places),
             accelerations: vec![0.0; 2 * sites.count()],
             sites,
-            laws,
-            surface,
             lost: 0.0,
-        }
+        };
+        Self { web, laws, surface }
     }
 
     /// The accelerations at these displacements and rates, which count `unit` m/s; whether
     /// a pair has come into contact or left it. Makes the list anew where it has to be.
     #[inline]
     pub fn act(&mut self, places: &[f64], rates: &[f64], unit: f64) -> bool {
-        if self.list.is_stale(places) {
-            self.list.make(&self.sites, places);
+        if self.web.list.is_stale(places) {
+            self.web.list.make(&self.web.sites, places);
         }
-        self.accelerations.fill(0.0);
+        self.web.accelerations.fill(0.0);
         let floor = self.on_floor(places, rates, unit);
         let pairs = self.between(places, rates, unit);
         floor || pairs
@@ -79,9 +83,9 @@ impl<L: ContactLaw, S: Surface> Forces<L, S> {
 
     #[inline]
     fn on_floor(&mut self, places: &[f64], rates: &[f64], unit: f64) -> bool {
-        let n = self.sites.count();
+        let n = self.web.sites.count();
         let mut changed = false;
-        for foot in &mut self.list.feet {
+        for foot in &mut self.web.list.feet {
             let i = foot.i as usize;
             let gap = foot.gap + places[n + i];
             let closed = gap <= 0.0;
@@ -89,13 +93,13 @@ impl<L: ContactLaw, S: Surface> Forces<L, S> {
             foot.closed = closed;
             if closed {
                 let (force, lost) = self.laws.floor.push(gap, rates[n + i] * unit);
-                self.accelerations[n + i] += force;
-                self.lost += lost;
+                self.web.accelerations[n + i] += force;
+                self.web.lost += lost;
                 if S::RUBS {
                     let across = rates[i] * unit;
                     let drag = self.surface.damping() * across;
-                    self.accelerations[i] -= drag;
-                    self.lost += drag * across;
+                    self.web.accelerations[i] -= drag;
+                    self.web.lost += drag * across;
                 }
             }
         }
@@ -104,13 +108,13 @@ impl<L: ContactLaw, S: Surface> Forces<L, S> {
 
     #[inline]
     fn between(&mut self, places: &[f64], rates: &[f64], unit: f64) -> bool {
-        let n = self.sites.count();
+        let n = self.web.sites.count();
         let (x, y) = places.split_at(n);
         let (u, v) = rates.split_at(n);
-        let (ax, ay) = self.accelerations.split_at_mut(n);
-        let diameter = self.sites.diameter;
+        let (ax, ay) = self.web.accelerations.split_at_mut(n);
+        let diameter = self.web.sites.diameter;
         let (mut changed, mut sum) = (false, 0.0);
-        for bond in &mut self.list.bonds {
+        for bond in &mut self.web.list.bonds {
             let (i, j) = (bond.i as usize, bond.j as usize);
             let (dx, dy) = (x[j] - x[i], y[j] - y[i]);
             let excess = bond.offset.excess_when_moved(dx, dy);
@@ -142,10 +146,12 @@ impl<L: ContactLaw, S: Surface> Forces<L, S> {
                 ay[i] -= fy;
             }
         }
-        self.lost += sum;
+        self.web.lost += sum;
         changed
     }
+}
 
+impl Web {
     /// Gap and its rate of a pair in the list, m and m/s.
     pub fn gap(&self, k: usize, places: &[f64], rates: &[f64]) -> (f64, f64) {
         let n = self.sites.count();

@@ -2,7 +2,7 @@
 //! r_k = (h^k/k!) d^k x/dt^k of every displacement, a row each.
 
 use super::forces::{Forces, Surface};
-use super::mover::{Mover, flush};
+use super::stepper::{PlaneStepper, flush};
 use crate::physics::contact_law::ContactLaw;
 use crate::physics::md::{corrected, predicted};
 
@@ -11,7 +11,7 @@ pub(super) struct Gear {
     rows: [Vec<f64>; 6],
 }
 
-impl Mover for Gear {
+impl PlaneStepper for Gear {
     fn start<L: ContactLaw, S: Surface>(
         places: Vec<f64>,
         rates: &[f64],
@@ -26,7 +26,7 @@ impl Mover for Gear {
             rows: [
                 places,
                 rates.iter().map(|w| w * h).collect(),
-                forces.accelerations.iter().map(|a| a * half).collect(),
+                forces.web.accelerations.iter().map(|a| a * half).collect(),
                 zero(),
                 zero(),
                 zero(),
@@ -38,7 +38,7 @@ impl Mover for Gear {
     fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
         self.predict();
         let changed = forces.act(&self.rows[0], &self.rows[1], 1.0 / self.h);
-        self.correct(&forces.accelerations);
+        self.correct(&forces.web.accelerations);
         changed
     }
 

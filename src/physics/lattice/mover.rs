@@ -1,33 +1,81 @@
-//! What an integrator of a lattice does.
+//! What moves a lattice on a grid of steps: integrator and contacts together.
 
-use super::forces::{Forces, Surface};
+use super::forces::{Forces, Surface, Web};
+use super::stepper::PlaneStepper;
 use crate::physics::contact_law::ContactLaw;
-use crate::physics::md::flushed;
 
-/// An integrator. Its state is displacements and rates, all across, then all up.
-pub(super) trait Mover: Send + Sized {
-    /// Starts from displacements, m, and rates, m/s, with steps of `h` s.
-    fn start<L: ContactLaw, S: Surface>(
-        places: Vec<f64>,
-        rates: &[f64],
-        h: f64,
-        forces: &mut Forces<L, S>,
-    ) -> Self;
-    /// One step; whether a contact began or ended.
-    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool;
+/// What moves a lattice, behind one call for many steps.
+pub(super) trait PlaneMover: Send {
+    /// Up to `steps` steps, to where contacts change: how many it did, and whether any
+    /// contact changed in the last.
+    fn run(&mut self, steps: u64) -> (u64, bool);
     /// Flies on for `steps` steps at constant rates.
     fn coast(&mut self, steps: u64);
     /// Displacements, m.
     fn places(&self) -> &[f64];
     /// Writes the rates, m/s.
-    fn rates(&self, accelerations: &[f64], into: &mut Vec<f64>);
-    /// Clears numbers too small to matter, which are slow to compute with.
+    fn rates(&self, into: &mut Vec<f64>);
+    /// Clears numbers too small to matter.
     fn clear(&mut self);
+    /// The contacts.
+    fn web(&self) -> &Web;
+    /// The same, to be written to.
+    fn web_mut(&mut self) -> &mut Web;
+    /// Finds anew which beads may touch soon.
+    fn list_anew(&mut self);
 }
 
-/// Sets to zero what is too small to matter to anything.
-pub(super) fn flush(row: &mut [f64]) {
-    for x in row {
-        *x = flushed(*x);
+/// A lattice that an integrator moves.
+pub(super) struct PlaneMoved<M, L, S> {
+    stepper: M,
+    forces: Forces<L, S>,
+}
+
+impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneMoved<M, L, S> {
+    /// Starts from displacements, m, and rates, m/s, with steps of `h` s.
+    pub fn new(places: Vec<f64>, rates: &[f64], h: f64, mut forces: Forces<L, S>) -> Self {
+        let stepper = M::start(places, rates, h, &mut forces);
+        forces.web.lost = 0.0;
+        Self { stepper, forces }
+    }
+}
+
+impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneMover for PlaneMoved<M, L, S> {
+    fn run(&mut self, steps: u64) -> (u64, bool) {
+        let (mut done, mut changed) = (0, false);
+        while done < steps && !changed {
+            changed = self.stepper.step(&mut self.forces);
+            done += 1;
+        }
+        (done, changed)
+    }
+
+    fn coast(&mut self, steps: u64) {
+        self.stepper.coast(steps);
+    }
+
+    fn places(&self) -> &[f64] {
+        self.stepper.places()
+    }
+
+    fn rates(&self, into: &mut Vec<f64>) {
+        self.stepper.rates(&self.forces.web.accelerations, into);
+    }
+
+    fn clear(&mut self) {
+        self.stepper.clear();
+    }
+
+    fn web(&self) -> &Web {
+        &self.forces.web
+    }
+
+    fn web_mut(&mut self) -> &mut Web {
+        &mut self.forces.web
+    }
+
+    fn list_anew(&mut self) {
+        let Web { sites, list, .. } = &mut self.forces.web;
+        list.make(sites, self.stepper.places());
     }
 }

@@ -1,21 +1,19 @@
 //! What a lattice looks after between steps: contacts, flights, its end and its numbers.
 
 use super::engine::Lattice;
-use super::forces::Surface;
-use super::mover::Mover;
 use crate::physics::EngineError;
 use crate::physics::column::OVER;
-use crate::physics::contact_law::ContactLaw;
 use crate::physics::flight::closing;
 
-impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
+impl Lattice {
     /// Writes down which contacts began or ended in the last step; the rates are those
     /// of now.
     pub(super) fn note_contacts(&mut self) {
         let time = self.grid.time();
-        let n = self.forces.sites.count();
+        let web = self.mover.web_mut();
+        let n = web.sites.count();
         let (mut loud, mut on_floor) = (false, false);
-        for foot in &mut self.forces.list.feet {
+        for foot in &mut web.list.feet {
             if foot.noted != foot.closed {
                 let w = self.rates[n + foot.i as usize];
                 loud |= 0.5 * w * w > self.quiet;
@@ -23,15 +21,19 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
             foot.noted = foot.closed;
             on_floor |= foot.closed;
         }
-        for k in 0..self.forces.list.bonds.len() {
-            let bond = self.forces.list.bonds[k];
-            if bond.noted == bond.closed {
-                continue;
+        self.turned.clear();
+        for (k, bond) in web.list.bonds.iter_mut().enumerate() {
+            if bond.noted != bond.closed {
+                bond.noted = bond.closed;
+                self.turned.push(k);
             }
-            let (_, w) = self.forces.gap(k, self.mover.places(), &self.rates);
+        }
+        for at in 0..self.turned.len() {
+            let (k, web) = (self.turned[at], self.mover.web());
+            let bond = web.list.bonds[k];
+            let (_, w) = web.gap(k, self.mover.places(), &self.rates);
             // Half the reduced mass is a quarter.
             loud |= 0.25 * w * w > self.quiet;
-            self.forces.list.bonds[k].noted = bond.closed;
             let slot = self.slot([bond.i, bond.j]);
             self.state.books.contacts.note(slot, bond.closed, time);
         }
@@ -60,23 +62,24 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
     /// if all beads had such contacts.
     pub(super) fn set_quiet(&mut self) {
         let kinetic: f64 = self.rates.iter().map(|w| 0.5 * w * w).sum();
-        self.quiet = OVER * kinetic / self.forces.sites.count() as f64;
+        self.quiet = OVER * kinetic / self.mover.web().sites.count() as f64;
     }
 
     /// Whether a contact that counts is closed; the rates are those of now.
     fn is_loud(&self) -> bool {
-        let n = self.forces.sites.count();
+        let web = self.mover.web();
+        let n = web.sites.count();
         let (places, quiet) = (self.mover.places(), self.quiet);
-        let foot_is_loud = self.forces.list.feet.iter().any(|foot| {
+        let foot_is_loud = web.list.feet.iter().any(|foot| {
             let i = foot.i as usize;
             let (gap, w) = (foot.gap + places[n + i], self.rates[n + i]);
             foot.closed && self.plane.floor.energy((-gap).max(0.0)) + 0.5 * w * w > quiet
         });
         foot_is_loud
-            || (0..self.forces.list.bonds.len()).any(|k| {
-                let closed = self.forces.list.bonds[k].closed;
+            || (0..web.list.bonds.len()).any(|k| {
+                let closed = web.list.bonds[k].closed;
                 closed && {
-                    let (gap, w) = self.forces.gap(k, places, &self.rates);
+                    let (gap, w) = web.gap(k, places, &self.rates);
                     self.plane.pair.energy((-gap).max(0.0)) + 0.25 * w * w > quiet
                 }
             })
@@ -99,8 +102,7 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
         let mut ahead = self.next_contact().min(self.room());
         if ahead > 0.0 && self.room() < self.next_contact() {
             // The way is free as far as the list tells: a new one tells more.
-            let Self { forces, mover, .. } = self;
-            forces.list.make(&forces.sites, mover.places());
+            self.mover.list_anew();
             ahead = self.next_contact().min(self.room());
         }
         self.grid.take_off(ahead, self.over)
@@ -109,17 +111,18 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
     /// Time to the next contact of a pair in the list, or with the floor, in free
     /// flight, s; the rates are those of now.
     fn next_contact(&self) -> f64 {
-        let n = self.forces.sites.count();
+        let web = self.mover.web();
+        let n = web.sites.count();
         let places = self.mover.places();
         let mut next = f64::INFINITY;
-        for foot in &self.forces.list.feet {
+        for foot in &web.list.feet {
             let (gap, w) = (
                 foot.gap + places[n + foot.i as usize],
                 self.rates[n + foot.i as usize],
             );
             next = next.min(closing(0.0, gap, w));
         }
-        for bond in &self.forces.list.bonds {
+        for bond in &web.list.bonds {
             let (i, j) = (bond.i as usize, bond.j as usize);
             let (dx, dy) = (places[j] - places[i], places[n + j] - places[n + i]);
             let (u, v) = (
@@ -140,11 +143,11 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
 
     /// Time for which the list is good in free flight, s.
     fn room(&self) -> f64 {
-        let n = self.forces.sites.count();
+        let n = self.mover.web().sites.count();
         let (across, up) = self.rates.split_at(n);
         let beads = across.iter().zip(up);
         let fastest = beads.map(|(u, v)| u * u + v * v).fold(0.0, f64::max).sqrt();
-        let left = self.forces.list.slack() - self.forces.list.moved(self.mover.places());
+        let left = self.mover.web().list.slack() - self.mover.web().list.moved(self.mover.places());
         left / fastest
     }
 
@@ -164,8 +167,8 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
             .books
             .ledger
             .lost
-            .add(self.forces.lost * self.grid.h);
-        self.forces.lost = 0.0;
+            .add(self.mover.web().lost * self.grid.h);
+        self.mover.web_mut().lost = 0.0;
         self.mover.clear();
         self.take_rates();
         self.set_quiet();
@@ -194,11 +197,18 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
 
     /// Sees how deep contacts are.
     fn measure(&mut self) {
-        let (places, sites) = (self.mover.places(), &self.forces.sites);
+        let web = self.mover.web();
+        let (places, sites) = (self.mover.places(), &web.sites);
         let n = sites.count();
-        let feet = self.forces.list.feet.iter();
+        let feet = web.list.feet.iter();
         let on_floor = feet.map(|foot| foot.gap + places[n + foot.i as usize]);
-        let bonds = self.forces.list.bonds.iter().filter(|bond| bond.closed);
+        let bonds = self
+            .mover
+            .web()
+            .list
+            .bonds
+            .iter()
+            .filter(|bond| bond.closed);
         let between = bonds.map(|bond| {
             let (i, j) = (bond.i as usize, bond.j as usize);
             let (dx, dy) = (places[j] - places[i], places[n + j] - places[n + i]);

@@ -2,7 +2,7 @@
 //! acceleration predicts; rates are kept as they were half a step ago.
 
 use super::forces::{Forces, Surface};
-use super::mover::{Mover, flush};
+use super::stepper::{PlaneStepper, flush};
 use crate::physics::contact_law::ContactLaw;
 
 pub(super) struct Verlet {
@@ -14,7 +14,7 @@ pub(super) struct Verlet {
     predicted: Vec<f64>,
 }
 
-impl Mover for Verlet {
+impl PlaneStepper for Verlet {
     fn start<L: ContactLaw, S: Surface>(
         places: Vec<f64>,
         rates: &[f64],
@@ -22,7 +22,7 @@ impl Mover for Verlet {
         forces: &mut Forces<L, S>,
     ) -> Self {
         forces.act(&places, rates, 1.0);
-        let before = rates.iter().zip(&forces.accelerations);
+        let before = rates.iter().zip(&forces.web.accelerations);
         Self {
             h,
             before: before.map(|(w, a)| w - a * (0.5 * h)).collect(),
@@ -36,7 +36,7 @@ impl Mover for Verlet {
         let h = self.h;
         let rates = self.before.iter_mut().zip(&mut self.predicted);
         let state = self.places.iter_mut().zip(rates);
-        for ((place, (before, predicted)), a) in state.zip(&forces.accelerations) {
+        for ((place, (before, predicted)), a) in state.zip(&forces.web.accelerations) {
             let kick = a * (0.5 * h);
             let half = (*before + kick) + kick;
             *place += half * h;

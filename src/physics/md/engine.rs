@@ -3,7 +3,8 @@
 use super::Column;
 use super::chain::Chain;
 use super::ground::Ground;
-use super::stepper::{Power, Stepper};
+use super::mover::{Moved, Mover};
+use super::stepper::Stepper;
 use crate::physics::grid::{Grid, Settings};
 use crate::physics::ledger::Ledger;
 use crate::physics::moment::Moment;
@@ -13,13 +14,10 @@ use crate::physics::state::{Books, State, weight};
 use crate::physics::{Engine, EngineError, Outcome};
 use crate::scene::Scene;
 
-/// A soft column on a grid of steps.
-pub(super) struct Md<S, G, C> {
-    pub(super) stepper: S,
-    /// Since the last look at the numbers.
-    pub(super) power: Power,
-    pub(super) ground: G,
-    pub(super) chain: C,
+/// A soft column on a grid of steps. What moves it is known when the program is compiled,
+/// and asked for many steps at a time; all else stands here once.
+pub(super) struct Md {
+    pub(super) mover: Box<dyn Mover>,
     pub(super) masses: Vec<f64>,
     pub(super) springs: Vec<Spring>,
     pub(super) gravity: f64,
@@ -29,10 +27,12 @@ pub(super) struct Md<S, G, C> {
     pub(super) grid: Grid,
     pub(super) state: State,
     pub(super) over: bool,
+    /// Room for the gaps of a moment.
+    pub(super) row: Vec<f64>,
 }
 
-impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> {
-    pub(super) fn boxed(
+impl Md {
+    pub(super) fn boxed<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static>(
         scene: &Scene,
         settings: Settings,
         state: State,
@@ -46,30 +46,34 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         } = column;
         let h = settings.step();
         ground.set_step(h);
+        let stepper = S::start(&state.gaps, &state.rates, h, &chain, &ground);
         let mut md = Self {
-            stepper: S::start(&state.gaps, &state.rates, h, &chain, &ground),
-            power: Power::default(),
+            mover: Box::new(Moved::new(stepper, ground, chain)),
             gravity: weight(scene),
             least_energy: weight(scene) * scene.diameter * masses.iter().sum::<f64>(),
             grid: Grid::new(state.time, h),
             over: false,
-            ground,
-            chain,
             masses,
             springs,
             steps_per_contact: settings.steps_per_contact,
             state,
+            row: Vec::new(),
         };
-        md.note_contacts();
-        let (gaps, rates) = (md.gaps(), md.rates());
-        if md.state.books.contacts.closed()[0] {
-            let arrival = md.moment(&gaps, &rates).arrival();
-            md.state.books.bounce.begin(arrival);
-        }
-        let energy = md.moment(&gaps, &rates).energy();
-        let error = md.state.ledger_error;
-        md.state.books.ledger.open(energy, error);
+        md.open();
         Box::new(md)
+    }
+
+    /// Finds the contacts and opens the ledger.
+    fn open(&mut self) {
+        self.note_contacts();
+        let (gaps, rates) = (self.gaps(), self.rates());
+        if self.state.books.contacts.closed()[0] {
+            let arrival = self.moment(&gaps, &rates).arrival();
+            self.state.books.bounce.begin(arrival);
+        }
+        let energy = self.moment(&gaps, &rates).energy();
+        let error = self.state.ledger_error;
+        self.state.books.ledger.open(energy, error);
     }
 
     pub(super) fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64]) -> Moment<'a> {
@@ -77,7 +81,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
             time: self.time(),
             gaps,
             rates,
-            plate: self.ground.plate(),
+            plate: self.mover.plate(),
             masses: &self.masses,
             gravity: self.gravity,
             springs: &self.springs,
@@ -86,13 +90,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
 
     /// Does up to `steps` steps, to where contacts change; how many it did.
     fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
-        let (mut done, mut changed) = (0, false);
-        while done < steps && !changed {
-            changed = self
-                .stepper
-                .step(&self.chain, &mut self.ground, &mut self.power);
-            done += 1;
-        }
+        let (done, changed) = self.mover.run(steps);
         self.grid.stepped(done);
         if changed {
             self.note_contacts();
@@ -114,22 +112,25 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     }
 
     pub(super) fn rates(&self) -> Vec<f64> {
-        self.stepper.rates(&self.chain, &self.ground)
+        self.mover.rates()
     }
 
     /// The gaps now, those of a flight included.
     pub(super) fn gaps(&self) -> Vec<f64> {
-        let gaps = self.stepper.gaps();
-        let Some(flown) = self.grid.flown() else {
-            return gaps.collect();
-        };
-        gaps.zip(self.rates()).map(|(g, w)| g + flown * w).collect()
+        let mut gaps = Vec::new();
+        self.mover.gaps(&mut gaps);
+        if let Some(flown) = self.grid.flown() {
+            for (g, w) in gaps.iter_mut().zip(self.rates()) {
+                *g += flown * w;
+            }
+        }
+        gaps
     }
 
     /// What is accounted for, up to now.
     pub(super) fn ledger(&self) -> Ledger {
         let mut ledger = self.state.books.ledger;
-        fold(&mut ledger, &self.power, self.grid.h);
+        self.mover.power().account(&mut ledger, self.grid.h);
         ledger
     }
 
@@ -139,12 +140,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     }
 }
 
-pub(super) fn fold(ledger: &mut Ledger, power: &Power, h: f64) {
-    ledger.lost.add(power.all_lost() * h);
-    ledger.plate_work.add(power.plate * h);
-}
-
-impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for Md<S, G, C> {
+impl Engine for Md {
     fn time(&self) -> f64 {
         self.grid.time()
     }

@@ -3,6 +3,7 @@
 use super::chain::Chain;
 use super::ground::Ground;
 use super::lanes::Lane;
+use crate::physics::ledger::Ledger;
 
 /// What an integrator does. Its state is gaps, rates and derivatives of its own.
 pub(super) trait Stepper: Send + Sized {
@@ -38,8 +39,11 @@ pub(super) struct Power {
 }
 
 impl Power {
-    /// Lost in all contacts.
-    pub fn all_lost(&self) -> f64 {
-        self.lost.0 + self.lost.1.to_array().iter().sum::<f64>()
+    /// Puts what was lost and put in, in steps of `h` s, into a ledger.
+    pub fn account(&self, ledger: &mut Ledger, h: f64) {
+        let (floor, pairs) = self.lost;
+        let lost = floor + pairs.to_array().iter().sum::<f64>();
+        ledger.lost.add(lost * h);
+        ledger.plate_work.add(self.plate * h);
     }
 }

@@ -1,29 +1,27 @@
 //! What a soft column looks after between steps: contacts, flights, and its numbers.
 
-use super::chain::Chain;
-use super::engine::{Md, fold};
-use super::ground::Ground;
-use super::stepper::{Power, Stepper};
+use super::engine::Md;
 use crate::physics::column::{OVER, nothing_to_come};
 use crate::physics::flight::closing;
 use crate::physics::{Engine, EngineError};
 
-impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> {
+impl Md {
     /// Looks which contacts began or ended in the last step.
     pub(super) fn note_contacts(&mut self) {
         let time = self.time();
         let floor_was_closed = self.state.books.contacts.closed()[0];
-        for (i, g) in self.stepper.gaps().enumerate() {
+        self.mover.gaps(&mut self.row);
+        for (i, &g) in self.row.iter().enumerate() {
             self.state.books.contacts.note(i, g <= 0.0, time);
         }
-        self.state.books.measure(self.stepper.gaps());
+        self.state.books.measure(self.row.iter().copied());
         let floor_is_closed = self.state.books.contacts.closed()[0];
         if floor_is_closed != floor_was_closed {
             let (gaps, rates) = (self.gaps(), self.rates());
             let arrival = self.moment(&gaps, &rates).arrival();
             self.state.books.bounce.turn(floor_is_closed, arrival);
         }
-        if !G::PULLS && !self.over && self.state.books.contacts.all_open() {
+        if !self.mover.pulls() && !self.over && self.state.books.contacts.all_open() {
             self.over = self.nothing_to_come();
         }
     }
@@ -33,15 +31,16 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     }
 
     /// Goes on in one flight to just before the next contact, if nothing pulls and no
-    /// contact has been closed since the last look.
+    /// contact has been closed since the last look. The row has the gaps of now.
     pub(super) fn look_for_flight(&mut self) -> Result<(), EngineError> {
         let contacts = &self.state.books.contacts;
-        if G::PULLS || !contacts.all_open() || !self.grid.is_settled(contacts.last()) {
+        if self.mover.pulls() || !contacts.all_open() || !self.grid.is_settled(contacts.last()) {
             return Ok(());
         }
-        let gaps = self.stepper.gaps().zip(self.rates());
+        let rates = self.rates();
+        let gaps = self.row.iter().zip(&rates);
         let next = gaps
-            .map(|(g, w)| closing(0.0, g, w))
+            .map(|(&g, &w)| closing(0.0, g, w))
             .fold(f64::INFINITY, f64::min);
         self.grid.take_off(next, self.over)
     }
@@ -49,18 +48,19 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
     /// Passes through a flight, up to grid point `last` at most.
     pub(super) fn fly(&mut self, last: u64) {
         if let Some(steps) = self.grid.fly(last) {
-            self.stepper.coast(steps);
+            self.mover.coast(steps);
         }
     }
 
     /// Every so often, whatever the slices a run is advanced in.
     pub(super) fn housekeeping(&mut self) -> Result<(), EngineError> {
-        fold(&mut self.state.books.ledger, &self.power, self.grid.h);
-        self.power = Power::default();
-        self.stepper.clear();
+        let power = self.mover.take_power();
+        power.account(&mut self.state.books.ledger, self.grid.h);
+        self.mover.clear();
+        self.mover.gaps(&mut self.row);
         self.look_for_flight()?;
-        let sound = self.stepper.gaps().sum::<f64>().is_finite();
-        self.state.books.measure(self.stepper.gaps());
+        let sound = self.row.iter().sum::<f64>().is_finite();
+        self.state.books.measure(self.row.iter().copied());
         if sound && !self.grid.is_inspected() {
             return Ok(());
         }
@@ -68,7 +68,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
             return Err(self.unstable());
         }
         // Overdamped contacts of heavy pairs never open, but spend all they have.
-        if !G::PULLS && !self.over {
+        if !self.mover.pulls() && !self.over {
             let energy = self.moment(&self.gaps(), &self.rates()).energy();
             self.over = energy.elastic <= OVER * energy.kinetic && self.nothing_to_come();
         }
