@@ -16,8 +16,8 @@ mod step;
 use super::column::{OVER, masses, nothing_to_come, springs};
 use super::flight::{Free, Ground, Shaken, Weight};
 use super::ledger::{Ledger, Sum};
-use super::moment::Moment;
 use super::observation::Observation;
+use super::snapshot::Snapshot;
 use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Scene};
@@ -48,7 +48,7 @@ pub(super) fn build(scene: &Scene, tolerance: f64, state: State) -> Box<dyn Engi
 }
 
 /// The column at a time within the step ahead, for whoever looks.
-struct Glimpse {
+struct Midstep {
     /// Simulated time, s.
     time: f64,
     /// Time since the epoch, s.
@@ -71,7 +71,7 @@ struct Adaptive<G> {
     /// The step that is computed, but not taken yet.
     ahead: Option<Ahead>,
     /// What was last asked for within that step.
-    glimpse: Option<Glimpse>,
+    midstep: Option<Midstep>,
     state: State,
     over: bool,
     /// Steps since time last moved on by a part of the contact time, and when that was, s.
@@ -97,7 +97,7 @@ impl<G: Ground + 'static> Adaptive<G> {
             ticks: 0.0,
             now: Sum::default(),
             ahead: None,
-            glimpse: None,
+            midstep: None,
             over: false,
             idle: (0, state.time),
             unchanged: 0,
@@ -106,10 +106,10 @@ impl<G: Ground + 'static> Adaptive<G> {
         };
         adaptive.settle();
         if adaptive.motion.closed[0] {
-            let arrival = adaptive.moment(&adaptive.motion.y).arrival();
+            let arrival = adaptive.snapshot(&adaptive.motion.y).arrival();
             adaptive.state.books.bounce.begin(arrival);
         }
-        let energy = adaptive.moment(&adaptive.motion.y).energy();
+        let energy = adaptive.snapshot(&adaptive.motion.y).energy();
         let error = adaptive.state.ledger_error;
         adaptive.state.books.ledger.open(energy, error);
         Box::new(adaptive)
@@ -138,15 +138,15 @@ impl<G: Ground + 'static> Adaptive<G> {
 
     /// Now, s from the epoch, and the column then.
     fn seen(&self) -> (f64, &[f64]) {
-        match &self.glimpse {
-            Some(glimpse) => (glimpse.t, &glimpse.y),
+        match &self.midstep {
+            Some(midstep) => (midstep.t, &midstep.y),
             None => (self.now.total(), &self.motion.y),
         }
     }
 
-    fn moment<'a>(&'a self, y: &'a [f64]) -> Moment<'a> {
+    fn snapshot<'a>(&'a self, y: &'a [f64]) -> Snapshot<'a> {
         let (gaps, rest) = y.split_at(self.beads());
-        Moment {
+        Snapshot {
             time: self.time(),
             gaps,
             rates: &rest[..self.beads()],
@@ -160,8 +160,8 @@ impl<G: Ground + 'static> Adaptive<G> {
     /// What is accounted for, up to now.
     fn ledger(&self) -> Ledger {
         let mut ledger = self.state.books.ledger;
-        if let Some(glimpse) = &self.glimpse {
-            enter(&mut ledger, &glimpse.y, self.beads());
+        if let Some(midstep) = &self.midstep {
+            enter(&mut ledger, &midstep.y, self.beads());
         }
         ledger
     }
@@ -175,7 +175,7 @@ impl<G: Ground + 'static> Adaptive<G> {
             self.state.books.contacts.note(i, closed, time);
         }
         if self.motion.closed[0] != was_closed {
-            let arrival = self.moment(&self.motion.y).arrival();
+            let arrival = self.snapshot(&self.motion.y).arrival();
             self.state.books.bounce.turn(!was_closed, arrival);
         }
         if !G::PULLS && !self.over && self.state.books.contacts.all_open() {
@@ -185,7 +185,7 @@ impl<G: Ground + 'static> Adaptive<G> {
 
     /// Takes the step ahead.
     fn take(&mut self, ahead: Ahead) -> Result<(), EngineError> {
-        self.glimpse = None;
+        self.midstep = None;
         let books = &mut self.state.books;
         books.steps += u64::from(!ahead.flight);
         enter(&mut books.ledger, &ahead.y, self.masses.len());
@@ -207,7 +207,7 @@ impl<G: Ground + 'static> Adaptive<G> {
         }
         // Overdamped contacts never open, but lose their energy.
         if !G::PULLS && !self.over && self.state.books.steps.is_multiple_of(INSPECTION) {
-            let energy = self.moment(&self.motion.y).energy();
+            let energy = self.snapshot(&self.motion.y).energy();
             self.over = energy.elastic <= OVER * energy.kinetic
                 && nothing_to_come(self.motion.rates().iter().copied(), &self.masses, OVER);
         }
@@ -245,8 +245,8 @@ fn enter(ledger: &mut Ledger, y: &[f64], beads: usize) {
 
 impl<G: Ground + 'static> Engine for Adaptive<G> {
     fn time(&self) -> f64 {
-        match &self.glimpse {
-            Some(glimpse) => glimpse.time,
+        match &self.midstep {
+            Some(midstep) => midstep.time,
             None => self.reached(),
         }
     }
@@ -275,7 +275,7 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
                 let tau = until - self.reached();
                 let y = self.motion.glimpse(self.now.total(), tau, flight);
                 let t = self.now.total() + tau;
-                self.glimpse = Some(Glimpse { time: until, t, y });
+                self.midstep = Some(Midstep { time: until, t, y });
                 break;
             }
         }
@@ -297,7 +297,7 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
     }
 
     fn observe(&self, into: &mut Observation) {
-        self.moment(self.seen().1)
+        self.snapshot(self.seen().1)
             .observe(&self.state.books, self.ledger(), into);
     }
 
@@ -306,6 +306,6 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
             ledger: self.ledger(),
             ..self.state.books.clone()
         };
-        self.moment(self.seen().1).state(books)
+        self.snapshot(self.seen().1).state(books)
     }
 }

@@ -20,8 +20,8 @@ mod tally;
 use super::column::{masses, much_to_come, nothing_to_come};
 use super::flight::{Free, Gap, Ground, Shaken, Weight};
 use super::ledger::{Ledger, Sum};
-use super::moment::Moment;
 use super::observation::Observation;
+use super::snapshot::Snapshot;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
@@ -169,7 +169,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             );
         }
         let (gaps, rates) = self.gaps_and_rates(0.0);
-        let energy = self.moment(&gaps, &rates, 0.0).energy();
+        let energy = self.snapshot(&gaps, &rates, 0.0).energy();
         self.kinetic_at_first = energy.kinetic;
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
@@ -193,8 +193,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         (0..self.gaps.len()).map(seen).unzip()
     }
 
-    fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Moment<'a> {
-        Moment {
+    fn snapshot<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Snapshot<'a> {
+        Snapshot {
             time: self.absolute(t),
             gaps,
             rates,
@@ -376,7 +376,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
 
     fn observe(&self, into: &mut Observation) {
         let (gaps, rates) = self.gaps_and_rates(self.now);
-        self.moment(&gaps, &rates, self.now)
+        self.snapshot(&gaps, &rates, self.now)
             .observe(&self.state.books, self.ledger(), into);
         into.integrals = self.integrals();
     }
@@ -387,7 +387,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
             ledger: self.ledger(),
             ..self.state.books.clone()
         };
-        self.moment(&gaps, &rates, self.now).state(books)
+        self.snapshot(&gaps, &rates, self.now).state(books)
     }
 }
 

@@ -25,14 +25,14 @@ mod workspace;
 
 use super::flight::{Free, Gap, Ground, Shaken, Weight};
 use super::ledger::Sum;
-use super::moment::Moment;
 use super::observation::Observation;
+use super::snapshot::Snapshot;
 use super::state::{Books, State};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Scene};
 use centre_of_mass::Centre;
-use clock::Clock;
+use clock::EpochClock;
 use cluster::Clusters;
 use constants::Constants;
 use over::CollisionEnd;
@@ -70,7 +70,7 @@ enum ContactMode {
 struct Exact<G> {
     ground: G,
     constants: Constants,
-    clock: Clock,
+    clock: EpochClock,
     gaps: Vec<Gap>,
     modes: Vec<ContactMode>,
     clusters: Clusters,
@@ -91,7 +91,7 @@ impl<G: Ground> Exact<G> {
             unreachable!("physics::build hands scenes of soft contacts to this room");
         };
         let n = scene.n;
-        let clock = Clock::new(state.time, contact_time);
+        let clock = EpochClock::new(state.time, contact_time);
         let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
         let mut exact = Self {
             constants: Constants::new(scene, &state, soft.attraction, clock.tick()),
@@ -122,10 +122,10 @@ impl<G: Ground> Exact<G> {
         }
         let (gaps, rates) = self.gaps_and_rates(0.0);
         if self.modes[0] != ContactMode::Open {
-            let arrival = self.moment(&gaps, &rates, 0.0).arrival();
+            let arrival = self.snapshot(&gaps, &rates, 0.0).arrival();
             self.state.books.bounce.begin(arrival);
         }
-        let energy = self.moment(&gaps, &rates, 0.0).energy();
+        let energy = self.snapshot(&gaps, &rates, 0.0).energy();
         self.end.energy_at_first = energy.kinetic + energy.elastic;
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
@@ -147,8 +147,8 @@ impl<G: Ground> Exact<G> {
         }
     }
 
-    fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Moment<'a> {
-        Moment {
+    fn snapshot<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Snapshot<'a> {
+        Snapshot {
             time: self.clock.absolute(t),
             gaps,
             rates,
@@ -248,8 +248,11 @@ impl<G: Ground> Engine for Exact<G> {
 
     fn observe(&self, into: &mut Observation) {
         let (gaps, rates) = self.gaps_and_rates(self.clock.now);
-        self.moment(&gaps, &rates, self.clock.now)
-            .observe(&self.state.books, self.ledger(), into);
+        self.snapshot(&gaps, &rates, self.clock.now).observe(
+            &self.state.books,
+            self.ledger(),
+            into,
+        );
         into.integrals = self.integrals();
     }
 
@@ -259,6 +262,6 @@ impl<G: Ground> Engine for Exact<G> {
             ledger: self.ledger(),
             ..self.state.books.clone()
         };
-        self.moment(&gaps, &rates, self.clock.now).state(books)
+        self.snapshot(&gaps, &rates, self.clock.now).state(books)
     }
 }

@@ -7,12 +7,12 @@
 //! numbers and s₀, so an overlap keeps all digits that the displacements have; a lattice
 //! that just touches does so exactly.
 
+mod between_steps;
 mod engine;
 mod forces;
 mod gear;
 mod list;
 mod mover;
-mod upkeep;
 mod verlet;
 mod view;
 
@@ -20,15 +20,15 @@ use super::Engine;
 use super::column::{masses, springs};
 use super::contact_law::{self, Build, ContactLaw};
 use super::grid::Settings;
-use super::power_law::Spring;
+use super::spring::Spring;
 use super::state::State;
 use crate::scene::lattice::Sites;
 use crate::scene::{Arrangement, Integrator, Scene};
 use engine::Lattice;
 use forces::{Laws, Rubbing, Smooth, Surface};
-use gear::Gear;
+use gear::LatticeGear;
 use mover::Mover;
-use verlet::Verlet;
+use verlet::LatticeVerlet;
 
 /// What a lattice is, whatever moves it.
 struct Plane {
@@ -92,8 +92,8 @@ fn with_surface<L: ContactLaw + 'static, S: Surface + 'static>(
     surface: S,
 ) -> Box<dyn Engine> {
     match plane.settings.integrator {
-        Integrator::Gear => moved_by::<Gear, L, S>(plane, state, laws, surface),
-        Integrator::Verlet => moved_by::<Verlet, L, S>(plane, state, laws, surface),
+        Integrator::Gear => moved_by::<LatticeGear, L, S>(plane, state, laws, surface),
+        Integrator::Verlet => moved_by::<LatticeVerlet, L, S>(plane, state, laws, surface),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::physics::column::reduced_mass;
 use crate::physics::flight::Ground;
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 
 /// The equations of a column. Its state is laid out as gaps, rates, energy lost in contacts,
 /// work of the plate.

@@ -5,7 +5,7 @@ use super::{Ed, Gap, Rule};
 use crate::physics::EngineError;
 use crate::physics::column::{totally_inelastic, velocities};
 use crate::physics::flight::Ground;
-use crate::physics::moment::translation;
+use crate::physics::snapshot::translation;
 
 /// Collisions after which a cascade is left for a pause. A caller with a budget then does not
 /// have to wait for the end of a long one.
@@ -238,7 +238,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let new = !books.contacts.closed()[0] && !books.bounce.has_arrived();
         if new && self.translation(t) < 0.0 {
             let (gaps, rates) = self.gaps_and_rates(t);
-            let arrival = self.moment(&gaps, &rates, t).arrival();
+            let arrival = self.snapshot(&gaps, &rates, t).arrival();
             self.state.books.bounce.begin(arrival);
         }
     }

@@ -12,7 +12,7 @@ const BEADS_AN_EVENT: usize = 4;
 
 /// The epoch, and now.
 #[derive(Debug)]
-pub(super) struct Clock {
+pub(super) struct EpochClock {
     /// Simulated time at which the engine started, s.
     origin: f64,
     /// Ticks between the start and the epoch.
@@ -28,7 +28,7 @@ pub(super) struct Clock {
     standstill: usize,
 }
 
-impl Clock {
+impl EpochClock {
     pub fn new(origin: f64, contact_time: f64) -> Self {
         Self {
             origin,

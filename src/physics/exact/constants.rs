@@ -4,7 +4,7 @@ use super::oscillator::Oscillator;
 use super::taylor::PHASE;
 use crate::math;
 use crate::physics::column::{masses, reduced_mass, springs};
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 use crate::physics::state::{State, weight};
 use crate::scene::Scene;
 

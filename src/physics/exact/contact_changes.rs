@@ -3,8 +3,8 @@
 use super::{ContactMode, Exact};
 use crate::physics::column::reduced_mass;
 use crate::physics::flight::Ground;
-use crate::physics::moment::translation;
-use crate::physics::power_law::Spring;
+use crate::physics::snapshot::translation;
+use crate::physics::spring::Spring;
 
 impl<G: Ground> Exact<G> {
     /// Gap `i` begins to do what `mode` says, at `t`.
@@ -61,7 +61,7 @@ impl<G: Ground> Exact<G> {
         }
         let (gaps, rates) = (&work.a[..n], &work.b[..n]);
         if closed {
-            let arrival = self.moment(gaps, rates, t).arrival();
+            let arrival = self.snapshot(gaps, rates, t).arrival();
             self.state.books.bounce.begin(arrival);
         } else {
             let leaving = translation(rates.iter().copied(), &self.constants.masses);

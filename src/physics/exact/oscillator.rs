@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::math;
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 
 /// An underdamped contact. After it closes at rate w₀ its gap is w₀/ω e^{−μτ} sin ωτ.
 #[derive(Debug, Clone, Copy)]

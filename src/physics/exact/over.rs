@@ -58,7 +58,7 @@ impl<G: Ground> Exact<G> {
     /// [`OVER`].
     fn nothing_to_come(&self, open: bool) -> bool {
         let (gaps, rates) = self.gaps_and_rates(self.clock.now);
-        let energy = self.moment(&gaps, &rates, self.clock.now).energy();
+        let energy = self.snapshot(&gaps, &rates, self.clock.now).energy();
         let spent = open || energy.elastic <= OVER * energy.kinetic;
         // E_r, too, must keep its digits, unless it is itself less than OVER of E.
         let least = energy

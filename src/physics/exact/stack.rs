@@ -12,7 +12,7 @@ use super::polynomial::ROWS;
 use super::taylor::{Coupling, PHASE, TaylorSeries, expand, lanes};
 use crate::math;
 use crate::physics::plate::Plate;
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 
 /// Longest rest planned at once with a transient, as a power of two of the propagator's step.
 const POWERS: u32 = 16;

@@ -13,7 +13,7 @@
 )]
 
 use super::polynomial::{Polynomial, ROWS};
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 
 /// Largest phase ρh of one step, ρ being the fastest rate of the cluster. The first term
 /// left out is at most 2²⁵/25! = 2·10⁻¹⁸ of the motion.

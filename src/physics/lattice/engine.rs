@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Plane;
-use super::forces::{Forces, Laws, Surface};
+use super::forces::{LatticeForces, Laws, Surface};
 use super::mover::Mover;
 use super::view::View;
 use crate::physics::contact_law::ContactLaw;
@@ -16,7 +16,7 @@ use crate::physics::{Engine, EngineError, Outcome};
 /// A lattice on a grid of steps.
 pub(super) struct Lattice<M, L, S> {
     pub(super) mover: M,
-    pub(super) forces: Forces<L, S>,
+    pub(super) forces: LatticeForces<L, S>,
     pub(super) plane: Plane,
     pub(super) grid: Grid,
     pub(super) state: State,
@@ -36,7 +36,7 @@ impl<M: Mover, L: ContactLaw, S: Surface> Lattice<M, L, S> {
         let h = plane.settings.step();
         let places = std::mem::take(&mut state.gaps);
         let rates = std::mem::take(&mut state.rates);
-        let mut forces = Forces::new(plane.sites, laws, surface, &places);
+        let mut forces = LatticeForces::new(plane.sites, laws, surface, &places);
         let mover = M::start(places, &rates, h, &mut forces);
         forces.lost = 0.0;
         let slots = (1..).zip(&state.bonds).map(|(slot, bond)| (*bond, slot));

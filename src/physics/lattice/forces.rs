@@ -1,4 +1,4 @@
-//! Forces of the contacts of a lattice.
+//! LatticeForces of the contacts of a lattice.
 
 use super::list::List;
 use crate::physics::contact_law::ContactLaw;
@@ -41,7 +41,7 @@ impl Surface for Rubbing {
 }
 
 /// The contacts of a lattice, and what they do to its beads.
-pub(super) struct Forces<L, S> {
+pub(super) struct LatticeForces<L, S> {
     pub sites: Sites,
     pub list: List,
     laws: Laws<L>,
@@ -52,7 +52,7 @@ pub(super) struct Forces<L, S> {
     pub lost: f64,
 }
 
-impl<L: ContactLaw, S: Surface> Forces<L, S> {
+impl<L: ContactLaw, S: Surface> LatticeForces<L, S> {
     pub fn new(sites: Sites, laws: Laws<L>, surface: S, places: &[f64]) -> Self {
         Self {
             list: List::new(&sites, places),

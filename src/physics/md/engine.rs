@@ -1,14 +1,14 @@
 //! A soft column on a grid of steps, as an engine.
 
-use super::Column;
+use super::SoftColumn;
 use super::chain::Chain;
 use super::ground::Ground;
 use super::stepper::{Power, Stepper};
 use crate::physics::grid::{Grid, Settings};
 use crate::physics::ledger::Ledger;
-use crate::physics::moment::Moment;
 use crate::physics::observation::Observation;
-use crate::physics::power_law::Spring;
+use crate::physics::snapshot::Snapshot;
+use crate::physics::spring::Spring;
 use crate::physics::state::{Books, State, weight};
 use crate::physics::{Engine, EngineError, Outcome};
 use crate::scene::Scene;
@@ -36,10 +36,10 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         scene: &Scene,
         settings: Settings,
         state: State,
-        column: Column<G>,
+        column: SoftColumn<G>,
         chain: C,
     ) -> Box<dyn Engine> {
-        let Column {
+        let SoftColumn {
             mut ground,
             masses,
             springs,
@@ -63,17 +63,17 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Md<S, G, C> 
         md.note_contacts();
         let (gaps, rates) = (md.gaps(), md.rates());
         if md.state.books.contacts.closed()[0] {
-            let arrival = md.moment(&gaps, &rates).arrival();
+            let arrival = md.snapshot(&gaps, &rates).arrival();
             md.state.books.bounce.begin(arrival);
         }
-        let energy = md.moment(&gaps, &rates).energy();
+        let energy = md.snapshot(&gaps, &rates).energy();
         let error = md.state.ledger_error;
         md.state.books.ledger.open(energy, error);
         Box::new(md)
     }
 
-    pub(super) fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64]) -> Moment<'a> {
-        Moment {
+    pub(super) fn snapshot<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64]) -> Snapshot<'a> {
+        Snapshot {
             time: self.time(),
             gaps,
             rates,
@@ -175,7 +175,7 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for M
     }
 
     fn observe(&self, into: &mut Observation) {
-        self.moment(&self.gaps(), &self.rates())
+        self.snapshot(&self.gaps(), &self.rates())
             .observe(&self.state.books, self.ledger(), into);
         into.steps = self.steps();
     }
@@ -186,6 +186,6 @@ impl<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static> Engine for M
             steps: self.steps(),
             ..self.state.books.clone()
         };
-        self.moment(&self.gaps(), &self.rates()).state(books)
+        self.snapshot(&self.gaps(), &self.rates()).state(books)
     }
 }

@@ -10,7 +10,7 @@ use super::super::workspace::Workspace;
 use super::{ClusterPlan, ContactMode};
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
-use crate::physics::moment::Moment;
+use crate::physics::snapshot::Snapshot;
 
 /// Plans in a row without a contact change on the floor, after which it is tried whether a
 /// stack is at rest.
@@ -149,7 +149,7 @@ impl<G: Ground> ClusterPlan<G> for Rest {
         self.stack
             .at(&self.transient, tau, &now, &mut after, &mut after_rates);
         let energy = |gaps: &[f64], rates: &[f64], t: f64| {
-            let stack = Moment {
+            let stack = Snapshot {
                 time: t,
                 gaps,
                 rates,

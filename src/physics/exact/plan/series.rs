@@ -8,7 +8,7 @@ use super::super::workspace::Workspace;
 use super::{ClusterPlan, ContactMode};
 use crate::physics::flight::Ground;
 use crate::physics::ledger::Ledger;
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 
 /// A cluster that moves by its series in s = τ/h.
 #[derive(Debug)]
