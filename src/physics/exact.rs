@@ -216,7 +216,7 @@ impl<G: Ground> Engine for Exact<G> {
             // As `next_event` says it, so that advancing to there includes the event.
             if self.clock.absolute(t) > until || t.is_infinite() {
                 // Not past the next event, which rounding could do.
-                let end = self.clock.from_epoch(until).min(t);
+                let end = self.clock.since_epoch(until).min(t);
                 self.clock.now = self.clock.now.max(end);
                 self.end.over |= !G::PULLS && t.is_infinite();
                 return Ok(if self.end.over {

@@ -56,7 +56,7 @@ impl EpochClock {
     }
 
     /// How many seconds after the epoch the simulated time `time`, s, lies.
-    pub fn from_epoch(&self, time: f64) -> f64 {
+    pub fn since_epoch(&self, time: f64) -> f64 {
         (time - self.origin) - self.epoch()
     }
 

@@ -72,7 +72,7 @@ impl Stack {
         for i in 0..m {
             coupling.above[i] = 1.0 / masses[i];
             coupling.below[i] = if i == 0 { 0.0 } else { 1.0 / masses[i - 1] };
-            // Twice the diagonal: a row's neighbours add at most as much (Gershgorin).
+            // Gershgorin by columns: both neighbours together have what the diagonal has.
             let both = 2.0 * (coupling.above[i] + coupling.below[i]);
             fastest.0 = fastest.0.max(both * springs[i].stiffness);
             fastest.1 = fastest.1.max(both * springs[i].dashpot);

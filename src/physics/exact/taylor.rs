@@ -36,7 +36,7 @@ pub(super) struct Coupling {
 }
 
 impl Coupling {
-    /// Room for `lanes` gaps, all zero.
+    /// Makes it zeros for `lanes` gaps.
     pub fn clear(&mut self, lanes: usize) {
         let rows = [
             &mut self.stiffness,
@@ -56,7 +56,7 @@ pub(super) fn lanes(gaps: usize) -> usize {
     gaps.next_multiple_of(4)
 }
 
-/// Runs `$body` with the number of lanes known to the compiler where it is small.
+/// Calls `$f` with the number of lanes, which the compiler knows where it is small.
 macro_rules! in_lanes {
     ($lanes:expr, $f:ident ( $($argument:expr),* )) => {
         match $lanes {
