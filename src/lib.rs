@@ -76,6 +76,7 @@
 //! | what | touch |
 //! |---|---|
 //! | a contact law | `scene/law.rs` (what it is; the compiler asks for the rest), `physics/contact_law.rs` (its force), a row in `scene/parameters/rows/contact.rs` for each constant, a preset |
+//! | a way in which a cluster of the exact engine moves | a file in `physics/exact/plan/`, and its three lines in `plan.rs` |
 //! | a parameter | a row in `scene/parameters/rows.rs`, and what it acts on; `--set`, files, help, errors, panel, undo and sweeps read the row |
 //! | a measured number | `study/measure.rs` |
 //! | a figure | a file in `study/figures/`, and its line in `study/figures.rs` |

@@ -1,33 +1,34 @@
 //! Soft contacts under a power law, to a tolerance.
 //!
-//! While a contact is closed the column is integrated by extrapolation, with an error
-//! norm relative to the motion of each contact; no step reaches over the beginning or
-//! the end of a contact, where the force is not smooth. Without contacts the beads fly
-//! in closed form. Steps do not depend on the times that are asked for: one that is
-//! asked for within a step is reached by another, shorter one, which then is forgotten.
+//! While a contact is closed the column is integrated by Gragg-Bulirsch-Stoer extrapolation.
+//! The error allowed is relative to the motion of each contact. No step goes beyond the
+//! beginning or the end of a contact, where the force is not smooth. Without contacts the
+//! beads fly in closed form.
+//!
+//! Steps do not depend on the times that are asked for. A time within a step is reached by
+//! another, shorter step, which is then forgotten.
 
-mod chain;
-mod crossing;
+mod equations;
 mod extrapolation;
-mod stride;
+mod hermite;
+mod step;
 
 use super::column::{OVER, masses, nothing_to_come, springs};
 use super::flight::{Free, Ground, Shaken, Weight};
 use super::ledger::{Ledger, Sum};
-use super::moment::Moment;
 use super::observation::Observation;
+use super::snapshot::Snapshot;
 use super::state::{Books, State, weight};
 use super::{Engine, EngineError, Outcome};
 use crate::scene::{Floor, Scene};
-use chain::Chain;
-use stride::{Ahead, Motion};
+use equations::Equations;
+use step::{Ahead, Motion};
 
-/// Steps between two looks whether creeping contacts have spent all they have.
+/// Steps between two looks whether contacts that never open have spent their energy.
 const INSPECTION: u64 = 64;
 
-/// Steps without any contact that begins or ends after which a column without gravity
-/// only creeps: strongly damped contacts under a power law let go ever more slowly and
-/// never come to an end.
+/// Steps in which no contact begins or ends, after which a column without gravity only creeps.
+/// Strongly damped contacts under a power law let go ever more slowly, and never open.
 const CREEPING: u64 = 300_000;
 
 /// Builds the engine of an MD scene under a power law.
@@ -46,12 +47,13 @@ pub(super) fn build(scene: &Scene, tolerance: f64, state: State) -> Box<dyn Engi
     }
 }
 
-/// The column at a time within the step ahead.
-struct View {
+/// The column at a time within the step ahead, for whoever looks.
+struct Midstep {
     /// Simulated time, s.
     time: f64,
     /// Time since the epoch, s.
     t: f64,
+    /// Laid out as the equations have it.
     y: Vec<f64>,
 }
 
@@ -60,17 +62,19 @@ struct Adaptive<G> {
     motion: Motion<G>,
     masses: Vec<f64>,
     gravity: f64,
-    /// Time of the first epoch, s, and ticks of the ground since.
+    /// Simulated time at which the engine started, s.
     origin: f64,
+    /// Ticks of the ground from there to the epoch.
     ticks: f64,
-    /// Time since the epoch, s.
+    /// End of the last step, s from the epoch.
     now: Sum,
+    /// The step that is computed, but not taken yet.
     ahead: Option<Ahead>,
-    /// A time asked for within the step ahead, and the column then.
-    view: Option<View>,
+    /// What was last asked for within that step.
+    midstep: Option<Midstep>,
     state: State,
     over: bool,
-    /// Steps since time last moved on noticeably, and when that was.
+    /// Steps since time last moved on by a part of the contact time, and when that was, s.
     idle: (u64, f64),
     /// Steps since a contact last began or ended.
     unchanged: u64,
@@ -82,18 +86,18 @@ impl<G: Ground + 'static> Adaptive<G> {
         let contact_time = scene.contact_time().unwrap_or(f64::NAN);
         let attraction = scene.soft().is_some_and(|soft| soft.attraction);
         let fall = weight(scene) * contact_time;
-        let chain = Chain::new(springs(scene, &masses), &masses, attraction, fall);
+        let equations = Equations::new(springs(scene, &masses), &masses, attraction, fall);
         let mut y = state.gaps.clone();
         y.extend(&state.rates);
         y.extend([0.0; 2]);
         let mut adaptive = Self {
-            motion: Motion::new(ground, chain, y, tolerance, contact_time),
+            motion: Motion::new(ground, equations, y, tolerance, contact_time),
             gravity: weight(scene),
             origin: state.time,
             ticks: 0.0,
             now: Sum::default(),
             ahead: None,
-            view: None,
+            midstep: None,
             over: false,
             idle: (0, state.time),
             unchanged: 0,
@@ -102,10 +106,10 @@ impl<G: Ground + 'static> Adaptive<G> {
         };
         adaptive.settle();
         if adaptive.motion.closed[0] {
-            let arrival = adaptive.moment(&adaptive.motion.y).arrival();
+            let arrival = adaptive.snapshot(&adaptive.motion.y).arrival();
             adaptive.state.books.bounce.begin(arrival);
         }
-        let energy = adaptive.moment(&adaptive.motion.y).energy();
+        let energy = adaptive.snapshot(&adaptive.motion.y).energy();
         let error = adaptive.state.ledger_error;
         adaptive.state.books.ledger.open(energy, error);
         Box::new(adaptive)
@@ -117,12 +121,13 @@ impl<G: Ground + 'static> Adaptive<G> {
 
     /// The time of the last step's end, s.
     fn reached(&self) -> f64 {
-        self.since_epoch(self.now.total())
+        self.absolute(self.now.total())
     }
 
-    fn since_epoch(&self, t: f64) -> f64 {
+    /// The simulated time, s, that lies `t` s after the epoch.
+    fn absolute(&self, t: f64) -> f64 {
         let tick = self.motion.ground.tick();
-        // An endless tick is never counted.
+        // An infinite tick never passes, and 0 times it is not a number.
         let epoch = if self.ticks > 0.0 {
             self.ticks * tick
         } else {
@@ -131,32 +136,32 @@ impl<G: Ground + 'static> Adaptive<G> {
         self.origin + (epoch + t)
     }
 
-    /// The column now: its time since the epoch and what it does.
+    /// Now, s from the epoch, and the column then.
     fn seen(&self) -> (f64, &[f64]) {
-        match &self.view {
-            Some(view) => (view.t, &view.y),
+        match &self.midstep {
+            Some(midstep) => (midstep.t, &midstep.y),
             None => (self.now.total(), &self.motion.y),
         }
     }
 
-    fn moment<'a>(&'a self, y: &'a [f64]) -> Moment<'a> {
+    fn snapshot<'a>(&'a self, y: &'a [f64]) -> Snapshot<'a> {
         let (gaps, rest) = y.split_at(self.beads());
-        Moment {
+        Snapshot {
             time: self.time(),
             gaps,
             rates: &rest[..self.beads()],
             plate: self.motion.ground.plate(self.seen().0),
             masses: &self.masses,
             gravity: self.gravity,
-            springs: &self.motion.chain.springs,
+            springs: &self.motion.equations.springs,
         }
     }
 
-    /// What is accounted for, up to what is seen.
+    /// What is accounted for, up to now.
     fn ledger(&self) -> Ledger {
         let mut ledger = self.state.books.ledger;
-        if let Some(view) = &self.view {
-            enter(&mut ledger, &view.y, self.beads());
+        if let Some(midstep) = &self.midstep {
+            enter(&mut ledger, &midstep.y, self.beads());
         }
         ledger
     }
@@ -170,7 +175,7 @@ impl<G: Ground + 'static> Adaptive<G> {
             self.state.books.contacts.note(i, closed, time);
         }
         if self.motion.closed[0] != was_closed {
-            let arrival = self.moment(&self.motion.y).arrival();
+            let arrival = self.snapshot(&self.motion.y).arrival();
             self.state.books.bounce.turn(!was_closed, arrival);
         }
         if !G::PULLS && !self.over && self.state.books.contacts.all_open() {
@@ -180,7 +185,7 @@ impl<G: Ground + 'static> Adaptive<G> {
 
     /// Takes the step ahead.
     fn take(&mut self, ahead: Ahead) -> Result<(), EngineError> {
-        self.view = None;
+        self.midstep = None;
         let books = &mut self.state.books;
         books.steps += u64::from(!ahead.flight);
         enter(&mut books.ledger, &ahead.y, self.masses.len());
@@ -200,9 +205,9 @@ impl<G: Ground + 'static> Adaptive<G> {
         if changed {
             self.settle();
         }
-        // Overdamped contacts never open, but spend all they have.
+        // Overdamped contacts never open, but lose their energy.
         if !G::PULLS && !self.over && self.state.books.steps.is_multiple_of(INSPECTION) {
-            let energy = self.moment(&self.motion.y).energy();
+            let energy = self.snapshot(&self.motion.y).energy();
             self.over = energy.elastic <= OVER * energy.kinetic
                 && nothing_to_come(self.motion.rates().iter().copied(), &self.masses, OVER);
         }
@@ -214,7 +219,7 @@ impl<G: Ground + 'static> Adaptive<G> {
         self.look_for_progress(h)
     }
 
-    /// An error when very many steps bring nothing.
+    /// An error when very many steps hardly move time on.
     fn look_for_progress(&mut self, step: f64) -> Result<(), EngineError> {
         let time = self.reached();
         let (steps, mark) = &mut self.idle;
@@ -230,7 +235,7 @@ impl<G: Ground + 'static> Adaptive<G> {
     }
 }
 
-/// Enters what `y` has of energy lost and of the plate's work.
+/// Books the energy lost and the plate's work that `y` has.
 fn enter(ledger: &mut Ledger, y: &[f64], beads: usize) {
     if let [lost, work] = y[2 * beads..] {
         ledger.lost.add(lost);
@@ -240,8 +245,8 @@ fn enter(ledger: &mut Ledger, y: &[f64], beads: usize) {
 
 impl<G: Ground + 'static> Engine for Adaptive<G> {
     fn time(&self) -> f64 {
-        match &self.view {
-            Some(view) => view.time,
+        match &self.midstep {
+            Some(midstep) => midstep.time,
             None => self.reached(),
         }
     }
@@ -261,7 +266,7 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
                 })?);
             }
             let end = self.now.total() + self.ahead.as_ref().map_or(0.0, |ahead| ahead.h);
-            if self.since_epoch(end) <= until {
+            if self.absolute(end) <= until {
                 if let Some(ahead) = self.ahead.take() {
                     self.take(ahead)?;
                 }
@@ -270,7 +275,7 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
                 let tau = until - self.reached();
                 let y = self.motion.glimpse(self.now.total(), tau, flight);
                 let t = self.now.total() + tau;
-                self.view = Some(View { time: until, t, y });
+                self.midstep = Some(Midstep { time: until, t, y });
                 break;
             }
         }
@@ -288,11 +293,11 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
     fn next_event(&self) -> Option<f64> {
         let ahead = self.ahead.as_ref()?;
         ahead.event?;
-        Some(self.since_epoch(self.now.total() + ahead.h))
+        Some(self.absolute(self.now.total() + ahead.h))
     }
 
     fn observe(&self, into: &mut Observation) {
-        self.moment(self.seen().1)
+        self.snapshot(self.seen().1)
             .observe(&self.state.books, self.ledger(), into);
     }
 
@@ -301,6 +306,6 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
             ledger: self.ledger(),
             ..self.state.books.clone()
         };
-        self.moment(self.seen().1).state(books)
+        self.snapshot(self.seen().1).state(books)
     }
 }

@@ -10,7 +10,7 @@ pub(crate) struct Bounce {
     arriving: Option<f64>,
     leaving: Option<(f64, f64)>,
     last: Option<f64>,
-    landings: Landings,
+    landings: LandingLog,
 }
 
 /// Plate periods for which a landing is remembered: dense and loose ones alternate over
@@ -22,12 +22,12 @@ const MOST: usize = 64;
 /// The last landings: when, and mean separation over speed, s. Of those that a denser
 /// one has followed none is kept, so the first is the densest.
 #[derive(Debug, Clone, Default, PartialEq)]
-struct Landings {
+struct LandingLog {
     last: Option<f64>,
     densest: VecDeque<(f64, f64)>,
 }
 
-impl Landings {
+impl LandingLog {
     fn add(&mut self, time: f64, crossing: f64) {
         self.last = Some(crossing);
         while self

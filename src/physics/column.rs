@@ -1,7 +1,7 @@
 //! The beads: masses, and the constants of their contacts.
 
 use super::linear_law::{pair_restitution, same_spring_floor};
-use super::power_law::Spring;
+use super::spring::Spring;
 use crate::math;
 use crate::scene::{FloorContact, Law, Scene, diameters};
 
@@ -104,9 +104,11 @@ pub(crate) fn velocities(rates: impl Iterator<Item = f64>) -> Vec<f64> {
     rates.map(add).collect()
 }
 
-/// Whether gap `i`, closing at rate `w`, alone can take more than `energy`: then no search for the end of a floor collision is needed. (The velocities that
-/// approach nowhere are no nearer than those that do not approach here; twice, since
-/// the search rounds.)
+/// Whether gap `i`, which closes at rate `w`, can lose more than `energy` by itself. Then a
+/// floor collision is not over, and [`most_to_lose`] need not be computed.
+///
+/// The least loss that brings gap `i` to rest is ½m*w², and bringing all gaps to rest loses
+/// no less. The factor of two is for the rounding of [`most_to_lose`].
 pub(crate) fn much_to_come(masses: &[f64], i: usize, w: f64, energy: f64) -> bool {
     w < 0.0 && 0.5 * reduced_mass(masses, i) * w * w > 2.0 * energy
 }
@@ -119,23 +121,25 @@ pub(crate) fn nothing_to_come(rates: impl Iterator<Item = f64>, masses: &[f64], 
     most_to_lose(now, masses) <= part * energy
 }
 
-/// The most energy, m²/s², that collisions still to come can take from free beads of
-/// these velocities above a fixed floor.
+/// The most energy, m²/s², that collisions still to come can take from free beads with these
+/// velocities above a fixed floor.
 pub(crate) fn most_to_lose(now: Vec<f64>, masses: &[f64]) -> f64 {
     let mut last = now.clone();
     totally_inelastic(&mut last, masses, true);
-    // Directly: a difference of energies would hide losses below 10⁻¹⁶ of them.
+    // Bead by bead: a difference of energies would hide losses below 10⁻¹⁶ of them.
     let lost = now.into_iter().zip(last).zip(masses);
     lost.map(|((v, u), m)| 0.5 * m * (v - u) * (v + u)).sum()
 }
 
-/// The velocities nearest to `velocities` (in the kinetic-energy norm) that approach
-/// nowhere, above a floor of velocity 0 where `on_floor`: what the beads would do if
-/// every collision still to come were totally inelastic. Pools adjacent violators.
+/// Replaces velocities by those that the beads would have if every collision still to come
+/// were totally inelastic, above a floor of velocity 0 where `on_floor`.
 ///
-/// No sequence of contacts can end with less kinetic energy: contact impulses push
-/// apart, so the end state u obeys ⟨u − v, k⟩ ≥ 0 for every k that does not approach,
-/// the projection v̂ included, hence ⟨u, v̂⟩ ≥ ⟨v, v̂⟩ = |v̂|² and |u| ≥ |v̂|.
+/// They are the nearest velocities, in the norm of the kinetic energy, at which no two
+/// neighbours approach. The pool-adjacent-violators algorithm finds them.
+///
+/// No sequence of contacts can end with less kinetic energy. Contact impulses push apart, so
+/// from v to the end u they obey ⟨u − v, k⟩ ≥ 0 for every k at which nothing approaches. The
+/// projection v̂ is such a k, hence ⟨u, v̂⟩ ≥ ⟨v, v̂⟩ = |v̂|², and |u| ≥ |v̂|.
 pub(crate) fn totally_inelastic(velocities: &mut [f64], masses: &[f64], on_floor: bool) {
     let mut pools: Vec<(f64, f64, usize)> = Vec::with_capacity(velocities.len());
     for (&v, &m) in velocities.iter().zip(masses) {

@@ -6,7 +6,7 @@
 
 use super::Engine;
 use super::md::Number;
-use super::power_law::Spring;
+use super::spring::Spring;
 use crate::scene::{Law, Soft};
 
 /// What is built for a contact law.

@@ -1,15 +1,14 @@
 //! Hard collisions, event driven (Sec. II B): exact flight from event to event.
 //!
-//! Every gap keeps its value and rate at a time of its own. Between beads in flight a
-//! gap changes linearly; of all gaps only one, between the floor (or the stack that
-//! rides it) and the lowest free bead, feels gravity and the plate. A collision
-//! changes three gaps, so an event costs O(log N).
+//! Every gap keeps its value and rate at a time of its own. Between beads in flight a gap
+//! changes linearly. Only one gap feels gravity and the plate: that between the lowest free
+//! bead and the floor, or the stack that rides the floor. A collision changes three gaps, so
+//! an event costs O(log N).
 //!
-//! Near inelastic collapse gaps, rates and the times between collisions shrink by
-//! hundreds of decades and may grow again. No digit is lost on the way: times are
-//! counted from an epoch that follows at the pace of the collisions, and without
-//! gravity, where nothing has a scale, lengths and times are kept in units that leave
-//! room below (see [`closing`]).
+//! Near inelastic collapse gaps, rates and the times between collisions shrink by hundreds of
+//! decades and may grow again. No digit is lost on the way. Times are counted from an epoch
+//! that moves on with the collisions (see [`epoch`]). Without gravity lengths and times are
+//! kept in units so small that numbers do not underflow (see [`closing`]).
 
 mod cascade;
 mod closing;
@@ -21,8 +20,8 @@ mod tally;
 use super::column::{masses, much_to_come, nothing_to_come};
 use super::flight::{Free, Gap, Ground, Shaken, Weight};
 use super::ledger::{Ledger, Sum};
-use super::moment::Moment;
 use super::observation::Observation;
+use super::snapshot::Snapshot;
 use super::state::{Books, State, weight};
 use super::tournament::Tournament;
 use super::{Engine, EngineError, Outcome};
@@ -32,9 +31,10 @@ use pair::{Pair, pairs};
 use rule::{Always, LastCollisions, Rule};
 use tally::Tally;
 
-/// What can still change of the kinetic energy of a floor collision that is over, as a
-/// part of it: less than any digit of a double shows.
+/// A floor collision is over when the collisions to come can change the kinetic energy by
+/// this part of itself at most. No digit of a double shows it.
 const OVER: f64 = 1e-32;
+
 /// Builds the engine of an ED scene.
 pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
     let plate = state.plate;
@@ -52,7 +52,7 @@ pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
 fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box<dyn Engine> {
     match scene.method {
         Method::Hard(CollisionRule::Tc { contact_time }) => {
-            let contact_time = contact_time * Closing::room(scene, &state);
+            let contact_time = contact_time * Closing::scale(scene, &state);
             let rule = LastCollisions::new(scene.n, contact_time);
             Box::new(Ed::new(scene, state, ground, rule))
         }
@@ -60,7 +60,7 @@ fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box
     }
 }
 
-/// A hard column. Its gaps and times are kept in units of 1/`room` m and s.
+/// A hard column. Its gaps and times are kept in units of 1/`scale` m and s.
 struct Ed<G, R> {
     ground: G,
     rule: R,
@@ -77,27 +77,29 @@ struct Ed<G, R> {
     /// Which cascade a gap last collided in.
     collided: Vec<u64>,
     cascades: u64,
-    /// Units of length and of time in 1 m and 1 s, a power of two; 1 under gravity,
-    /// which has a scale of its own.
-    room: f64,
-    /// Time of the epoch, in units, from `origin`, s.
+    /// Units of length in 1 m, and of time in 1 s: a power of two. It is 1 under gravity,
+    /// which sets a scale of its own.
+    scale: f64,
+    /// Simulated time at which the engine started, s.
     origin: f64,
+    /// Time from there to the epoch, in units.
     epoch: Sum,
-    /// Whether the epoch is to follow before the next event is looked for, and within which
-    /// multiple of now a gap closes then.
+    /// Whether a gap closes so soon that the epoch has to move to now before that.
     soon: bool,
+    /// A gap that closes before this multiple of now closes soon.
     soonest: f64,
     /// Now, from the epoch.
     now: f64,
-    /// Energy per mass of the floor when the stack last changed.
+    /// Energy per mass of what moves with the floor, when the stack last changed, m²/s².
     ride_from: f64,
     tally: Tally,
     closing: Closing,
-    /// The gaps of a cascade that was left for a pause, some of which still approach.
+    /// The first and the last gap of a cascade that was left for a pause, and goes on.
     paused: Option<(usize, usize)>,
     /// Kinetic energy at the start or after an edit, m²/s²; without gravity it only falls.
     kinetic_at_first: f64,
-    check_at: u64,
+    /// Events up to which there is no need to look whether the collision is over.
+    next_look: u64,
     over: bool,
     state: State,
 }
@@ -107,7 +109,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let n = scene.n;
         let masses = masses(scene);
         let pairs = pairs(scene, &masses);
-        let room = Closing::room(scene, &state);
+        let scale = Closing::scale(scene, &state);
         let mut ed = Self {
             closing: Closing::of(scene, &pairs, state.closing),
             pairs,
@@ -117,7 +119,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 .iter()
                 .zip(&state.rates)
                 .map(|(&g, &w)| Gap {
-                    g: g * room,
+                    g: g * scale,
                     w,
                     t: 0.0,
                 })
@@ -127,7 +129,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             approach: Tournament::new(n),
             collided: vec![0; n],
             cascades: 0,
-            room,
+            scale,
             origin: state.time,
             epoch: Sum::default(),
             soon: false,
@@ -137,7 +139,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             paused: None,
             tally: Tally::default(),
             kinetic_at_first: f64::INFINITY,
-            check_at: 0,
+            next_look: 0,
             over: false,
             masses,
             ground,
@@ -167,7 +169,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             );
         }
         let (gaps, rates) = self.gaps_and_rates(0.0);
-        let energy = self.moment(&gaps, &rates, 0.0).energy();
+        let energy = self.snapshot(&gaps, &rates, 0.0).energy();
         self.kinetic_at_first = energy.kinetic;
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
@@ -179,20 +181,20 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     /// Simulated time of `t`, s.
     fn absolute(&self, t: f64) -> f64 {
-        self.origin + self.epoch.with(t) / self.room
+        self.origin + self.epoch.with(t) / self.scale
     }
 
     /// Gaps, m, and their rates, m/s.
     fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
         let seen = |i| {
             let (g, w) = self.at(i, t);
-            (g / self.room, w)
+            (g / self.scale, w)
         };
         (0..self.gaps.len()).map(seen).unzip()
     }
 
-    fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Moment<'a> {
-        Moment {
+    fn snapshot<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Snapshot<'a> {
+        Snapshot {
             time: self.absolute(t),
             gaps,
             rates,
@@ -260,7 +262,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.masses[..self.stack].iter().sum()
     }
 
-    /// Changes which beads ride the floor, and books the work done on them so far.
+    /// Changes how many beads ride the floor, and books the work that it has done on the
+    /// riders so far.
     fn set_stack(&mut self, stack: usize, t: f64) {
         self.riders_change(t);
         let energy = self.floor_energy(t);
@@ -270,7 +273,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.stack = stack;
     }
 
-    /// The plate falls away from under the stack, whose beads go on together.
+    /// The plate falls away from under the stack. Its beads fly on with one velocity.
     fn take_off(&mut self, t: f64) {
         let stack = self.stack;
         if stack < self.gaps.len() {
@@ -286,17 +289,17 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.schedule_take_off();
     }
 
-    /// Whether a floor collision without gravity is over, looked at now and then, as
-    /// event `next` is to come.
+    /// Looks once in N events whether a floor collision without gravity is over. The next
+    /// event is given.
     fn look_whether_over(&mut self, (next, when): (usize, f64)) {
         if G::PULLS || self.over {
             return;
         }
         let never = when.is_infinite();
-        if !never && self.state.books.events < self.check_at {
+        if !never && self.state.books.events < self.next_look {
             return;
         }
-        self.check_at = self.state.books.events + self.gaps.len() as u64;
+        self.next_look = self.state.books.events + self.gaps.len() as u64;
         let rate = self.gaps.get(next).map_or(0.0, |gap| gap.w);
         if !never && much_to_come(&self.masses, next, rate, OVER * self.kinetic_at_first) {
             return;
@@ -329,7 +332,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
             // As `next_event` says it, so that advancing to there includes the event.
             if self.absolute(t) > until || t.is_infinite() {
                 // Not past the next event, which rounding could do.
-                let end = self.epoch.until((until - self.origin) * self.room).min(t);
+                let end = self.epoch.until((until - self.origin) * self.scale).min(t);
                 self.now = self.now.max(end);
                 self.look_whether_over(next);
                 return Ok(if self.over {
@@ -338,7 +341,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
                     Outcome::Reached
                 });
             }
-            // Take-offs and landings without a collision count too: nothing escapes.
+            // Take-offs and landings without a collision count too, so that no budget is endless.
             if self.state.books.events - collisions + others >= budget {
                 return Ok(Outcome::OutOfBudget);
             }
@@ -347,7 +350,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
             match i.cmp(&n) {
                 std::cmp::Ordering::Less => self.collide_at(i, self.now)?,
                 std::cmp::Ordering::Equal => self.take_off(self.now),
-                // A tick is a power of two: moving by it changes no bit of any absolute time.
+                // A tick is a power of two: a move by it changes no bit of an absolute time.
                 std::cmp::Ordering::Greater => self.move_epoch(self.ground.tick()),
             }
             self.keep_tally();
@@ -373,7 +376,7 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
 
     fn observe(&self, into: &mut Observation) {
         let (gaps, rates) = self.gaps_and_rates(self.now);
-        self.moment(&gaps, &rates, self.now)
+        self.snapshot(&gaps, &rates, self.now)
             .observe(&self.state.books, self.ledger(), into);
         into.integrals = self.integrals();
     }
@@ -384,12 +387,13 @@ impl<G: Ground, R: Rule> Engine for Ed<G, R> {
             ledger: self.ledger(),
             ..self.state.books.clone()
         };
-        self.moment(&gaps, &rates, self.now).state(books)
+        self.snapshot(&gaps, &rates, self.now).state(books)
     }
 }
 
 impl<G: Ground, R: Rule> Ed<G, R> {
-    /// What is accounted for up to now, the stack's ride since it last changed included.
+    /// What is accounted for up to now, with the work on the riders since the stack last
+    /// changed.
     fn ledger(&self) -> Ledger {
         let mut ledger = self.state.books.ledger;
         let ride = self.floor_energy(self.now) - self.ride_from;

@@ -1,4 +1,4 @@
-//! A bead in flight over the floor, and a bead or stack that rides it.
+//! Flights in closed form: of gaps between beads, and of a bead over the floor.
 //!
 //! All times are in seconds from the engine's epoch.
 
@@ -11,46 +11,50 @@ use crate::math;
 
 /// The floor and gravity of a column whose flights are in closed form.
 pub(crate) trait Ground: Send {
-    /// Whether there is gravity, so that beads fall, bounce out and rest.
+    /// Whether there is gravity.
     const PULLS: bool;
     /// Whether the floor moves.
     const MOVES: bool = false;
-    /// Gap and rate at time `t` of a free bead that had gap `g` and rate `w` at `t0`.
+    /// Gap, m, and rate, m/s, at time `t` of a free bead over the floor that had gap `g` and
+    /// rate `w` at `t0`.
     fn fall(&self, t0: f64, g: f64, w: f64, t: f64) -> (f64, f64);
-    /// When that bead next hits; infinite if never.
+    /// When that bead next hits the floor; infinite if never.
     fn hit(&self, t0: f64, g: f64, w: f64) -> f64;
-    /// g + z̈₀ at `t`: what presses a resting bead onto the floor, m/s².
+    /// g + z̈₀ at `t`, m/s²: the acceleration that presses a resting bead onto the floor.
     fn pressing(&self, t: f64) -> f64;
     /// When, from `t` on, the floor first falls away faster than g; infinite if never.
     fn take_off(&self, t: f64) -> f64;
     /// The floor at `t`.
     fn plate(&self, t: f64) -> Plate;
-    /// After which time the epoch should move on, s, a power of two; infinite if never.
+    /// Time after which the epoch should move on, s: a power of two, or infinite if never.
     fn tick(&self) -> f64;
-    /// Moves the epoch on by so much, s, at most about a tick.
+    /// Moves the epoch on by so many seconds, at most about a tick.
     fn move_epoch(&mut self, _by: f64) {}
     /// Makes `plate` the floor at the epoch.
     fn set_plate(&mut self, _: Plate) {}
-    /// Taylor coefficients, in units of `h`, of the acceleration −(g + z̈₀) of a free
-    /// lowest gap at `t`, m/s².
+    /// Writes the Taylor coefficients of −(g + z̈₀), m/s², the acceleration of a free lowest
+    /// gap, as a series in τ/h from `t` on.
     fn pull(&self, t: f64, h: f64, into: &mut [f64]);
-    /// Those of the floor's velocity, m/s.
+    /// Writes those of the floor's velocity, m/s.
     fn motion(&self, _: f64, _: f64, into: &mut [f64]) {
         into.fill(0.0);
     }
 }
 
-/// A gap as it was at a time of its own, s from the epoch.
+/// A gap as it was at a time of its own.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Gap {
+    /// Its width, m; an overlap is negative.
     pub g: f64,
+    /// Its rate, m/s.
     pub w: f64,
+    /// That time, s from the epoch.
     pub t: f64,
 }
 
 impl Gap {
-    /// Itself and its rate at `t`, in flight. Gravity and the plate bend only the
-    /// `lowest`, that over the floor.
+    /// Its width and rate at `t`, in flight. Gravity and plate act on the `lowest` gap only,
+    /// which is over the floor.
     #[inline]
     pub fn flown<G: Ground>(&self, ground: &G, lowest: bool, t: f64) -> (f64, f64) {
         if G::PULLS && lowest {
@@ -60,7 +64,7 @@ impl Gap {
         }
     }
 
-    /// When it closes.
+    /// When it closes, in flight; infinite if never.
     #[inline]
     pub fn closes<G: Ground>(&self, ground: &G, lowest: bool) -> f64 {
         if G::PULLS && lowest {
@@ -108,7 +112,7 @@ impl Ground for Free {
     }
 }
 
-/// When a gap that changes at a constant rate closes.
+/// When a gap of constant rate closes, which was `g` at `t0`; infinite if never.
 pub(crate) fn closing(t0: f64, g: f64, w: f64) -> f64 {
     std::hint::select_unpredictable(w >= 0.0, f64::INFINITY, t0 - g.max(0.0) / w)
 }
@@ -121,8 +125,8 @@ pub(crate) struct Weight {
 }
 
 impl Weight {
-    /// Under `gravity`, for beads of mean diameter `diameter`: times are kept small
-    /// against that in which one falls by its own size.
+    /// Under `gravity`, for beads of this mean diameter. A tick is about the time in which a
+    /// bead falls by its own size.
     pub fn new(gravity: f64, plate: Plate, diameter: f64) -> Self {
         let tick = power_of_two((diameter / gravity).sqrt());
         Self {
@@ -175,7 +179,8 @@ impl Ground for Weight {
     }
 }
 
-/// First τ ≥ 0 (for g = 0 and w > 0: the second root) with g + wτ − aτ²/2 = 0.
+/// The first τ ≥ 0 at which g + wτ − aτ²/2 falls to zero, g ≥ 0. (From g = 0 with w > 0 it
+/// first rises: that is the second root.)
 fn first_root(g: f64, w: f64, a: f64) -> f64 {
     let root = (w * w + 2.0 * a * g).sqrt();
     if w < 0.0 {

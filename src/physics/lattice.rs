@@ -7,13 +7,13 @@
 //! numbers and s₀, so an overlap keeps all digits that the displacements have; a lattice
 //! that just touches does so exactly.
 
+mod between_steps;
 mod engine;
 mod forces;
 mod gear;
 mod list;
 mod mover;
 mod stepper;
-mod upkeep;
 mod verlet;
 mod view;
 
@@ -21,16 +21,16 @@ use super::Engine;
 use super::column::{masses, springs};
 use super::contact_law::{self, Build, ContactLaw};
 use super::grid::Settings;
-use super::power_law::Spring;
+use super::spring::Spring;
 use super::state::State;
 use crate::scene::lattice::Sites;
 use crate::scene::{Arrangement, Integrator, Scene};
 use engine::Lattice;
-use forces::{Forces, Laws, Rubbing, Smooth, Surface};
-use gear::Gear;
+use forces::{LatticeForces, Laws, Rubbing, Smooth, Surface};
+use gear::LatticeGear;
 use mover::PlaneMoved;
 use stepper::PlaneStepper;
-use verlet::Verlet;
+use verlet::LatticeVerlet;
 
 /// What a lattice is, whatever moves it.
 struct Plane {
@@ -94,8 +94,8 @@ fn with_surface<L: ContactLaw + 'static, S: Surface + 'static>(
     surface: S,
 ) -> Box<dyn Engine> {
     match plane.settings.integrator {
-        Integrator::Gear => moved_by::<Gear, L, S>(plane, state, laws, surface),
-        Integrator::Verlet => moved_by::<Verlet, L, S>(plane, state, laws, surface),
+        Integrator::Gear => moved_by::<LatticeGear, L, S>(plane, state, laws, surface),
+        Integrator::Verlet => moved_by::<LatticeVerlet, L, S>(plane, state, laws, surface),
     }
 }
 
@@ -107,7 +107,7 @@ fn moved_by<M: PlaneStepper + 'static, L: ContactLaw + 'static, S: Surface + 'st
 ) -> Box<dyn Engine> {
     let places = std::mem::take(&mut state.gaps);
     let rates = std::mem::take(&mut state.rates);
-    let forces = Forces::new(plane.sites, laws, surface, &places);
+    let forces = LatticeForces::new(plane.sites, laws, surface, &places);
     let h = plane.settings.step();
     let mover = PlaneMoved::<M, L, S>::new(places, &rates, h, forces);
     Box::new(Lattice::new(plane, state, Box::new(mover), rates))

@@ -4,6 +4,7 @@
 //! attraction, so that a scene pays only for what it has. Contact changes fall
 //! between steps, so every fixed-step method is of first order here, whatever its name.
 
+mod between_steps;
 mod chain;
 mod engine;
 mod gear;
@@ -11,7 +12,6 @@ mod ground;
 mod lanes;
 mod mover;
 mod stepper;
-mod upkeep;
 mod verlet;
 
 use std::marker::PhantomData;
@@ -20,7 +20,7 @@ use super::Engine;
 use super::column::{masses, springs};
 use super::contact_law::{self, Build, ContactLaw};
 use super::grid::Settings;
-use super::power_law::Spring;
+use super::spring::Spring;
 use super::state::State;
 use crate::scene::{Floor, Integrator, Scene};
 use chain::{Equal, Unequal};
@@ -70,7 +70,7 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
 ) -> Box<dyn Engine> {
     let masses = masses(scene);
     let springs = springs(scene, &masses);
-    let column = Column {
+    let column = SoftColumn {
         ground,
         masses,
         springs,
@@ -93,7 +93,7 @@ struct Parts<'a, S, G> {
     scene: &'a Scene,
     settings: Settings,
     state: State,
-    column: Column<G>,
+    column: SoftColumn<G>,
     stepper: PhantomData<S>,
 }
 
@@ -117,7 +117,7 @@ impl<S: Stepper + 'static, G: Ground + 'static> Build for Parts<'_, S, G> {
 }
 
 /// What a column is, whatever moves it.
-struct Column<G> {
+struct SoftColumn<G> {
     ground: G,
     masses: Vec<f64>,
     springs: Vec<Spring>,

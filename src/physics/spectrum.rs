@@ -9,7 +9,7 @@
 
 use super::column::{masses, springs};
 use super::md::CORRECTOR;
-use super::power_law::Spring;
+use super::spring::Spring;
 use crate::math;
 use crate::scene::{Arrangement, Integrator, Scene};
 use nalgebra::{DMatrix, Matrix3, Matrix6, RowVector3, RowVector6, Schur, Vector6};

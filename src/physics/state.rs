@@ -6,7 +6,7 @@ use super::contacts::ContactLog;
 use super::course::{Course, Turn};
 use super::ledger::Ledger;
 use super::plate::Plate;
-use super::power_law::Spring;
+use super::spring::Spring;
 use crate::scene::{Facts, Floor, Scene, Start, initial_gaps};
 
 /// What a run keeps account of, whatever moves it.

@@ -1,14 +1,14 @@
-//! Extrapolation of the modified midpoint rule (Gragg, Bulirsch, Stoer), of variable
-//! order up to 2·[`COLUMNS`].
+//! Gragg-Bulirsch-Stoer extrapolation of the modified midpoint rule, of variable order up to
+//! 2·[`COLUMNS`] (Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.9).
 //!
-//! Increments are extrapolated, not values: a gap of a millimetre that changes by a
+//! What is extrapolated are increments, not values: a gap of a millimetre that changes by a
 //! picometre keeps its digits.
 
 use crate::math;
 
 /// Most columns of the tableau.
 const COLUMNS: usize = 6;
-/// Columns before which no agreement is believed.
+/// Columns from which on an estimate of the error is believed.
 const LEAST: usize = 3;
 
 /// Substeps of row k: 2, 4, 6, …
@@ -16,25 +16,26 @@ fn substeps(k: usize) -> u32 {
     2 * (u32::try_from(k).expect("a few columns") + 1)
 }
 
-/// Evaluations up to and with row k, the first one at the start included.
+/// Evaluations of the derivative for rows 0 to k and the one at the start: 1 + Σ (2j + 2).
 fn work(k: usize) -> f64 {
     let rows = (k + 1) as f64;
     1.0 + rows * (rows + 1.0)
 }
 
-/// What a step came to.
+/// What the attempt at a step came to.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Verdict {
+pub(super) struct Attempt {
     /// Whether it meets the tolerance.
     pub good: bool,
-    /// The step to take next, or instead, s.
+    /// The step to take next, or instead if it does not, s.
     pub next: f64,
 }
 
-/// Tableau and buffers.
+/// The method, with its tableau and buffers.
 pub(super) struct Extrapolation {
+    /// Row j is the extrapolation of the newest j + 1 midpoint rows.
     rows: [Vec<f64>; COLUMNS],
-    /// The row that the last step was taken from.
+    /// The row that is the last step's result.
     last: usize,
     /// The derivative at the start of a step.
     first: Vec<f64>,
@@ -68,15 +69,15 @@ impl Extrapolation {
         &self.first
     }
 
-    /// Tries a step of `h` s from `y`, whose derivative `rate` writes; `allowed` is what
-    /// each of the first increments may be wrong by; those without an entry are free.
+    /// Tries a step of `h` s from `y`. `rate` writes the derivative of a state at a time since
+    /// the start. Increment i may be wrong by `allowed[i]`, or by anything if there is no entry.
     pub fn step(
         &mut self,
         rate: &impl Fn(f64, &[f64], &mut [f64]),
         y: &[f64],
         h: f64,
         allowed: &[f64],
-    ) -> Verdict {
+    ) -> Attempt {
         rate(0.0, y, &mut self.first);
         let mut next = (f64::INFINITY, h);
         for k in 0..COLUMNS {
@@ -85,8 +86,9 @@ impl Extrapolation {
             if k + 1 < LEAST {
                 continue;
             }
-            // A NaN is no agreement.
+            // False for NaN.
             let good = error <= 1.0;
+            // The error goes with h to the power 2k + 1. The cheapest column per time decides.
             let power = 1.0 / (2 * k + 1) as f64;
             let factor = (SAFETY / math::powf(error.max(1e-12), power)).clamp(0.1, GROWTH);
             let cost = work(k) / factor;
@@ -94,11 +96,11 @@ impl Extrapolation {
                 next = (cost, h * factor);
             }
             if good {
-                return Verdict { good, next: next.1 };
+                return Attempt { good, next: next.1 };
             }
             if k + 1 == COLUMNS {
                 let factor = if error.is_finite() { factor } else { 0.1 };
-                return Verdict {
+                return Attempt {
                     good,
                     next: h * factor.min(0.7),
                 };
@@ -107,7 +109,7 @@ impl Extrapolation {
         unreachable!("the last column decides");
     }
 
-    /// The increment by the midpoint rule in the substeps of row `k`, into `now`.
+    /// Writes the increment by the modified midpoint rule, in the substeps of row `k`, to `now`.
     fn midpoint(&mut self, rate: &impl Fn(f64, &[f64], &mut [f64]), y: &[f64], h: f64, k: usize) {
         let count = substeps(k);
         let step = h / f64::from(count);
@@ -127,9 +129,9 @@ impl Extrapolation {
         }
     }
 
-    /// Extrapolates with `now` as the newest row `k` (Aitken, Neville): row j of the
-    /// tableau becomes the extrapolation of the newest j + 1 midpoint rows. The largest
-    /// last change over what is allowed.
+    /// Extrapolates with `now` as row `k`, by the Aitken-Neville scheme in the square of the
+    /// substep. The error over what is allowed, the largest of all increments: the error of each
+    /// is taken to be the last change.
     fn extrapolate(&mut self, k: usize, allowed: &[f64]) -> f64 {
         let mut factors = [0.0; COLUMNS];
         for (j, factor) in factors.iter_mut().enumerate().take(k) {
@@ -148,7 +150,7 @@ impl Extrapolation {
             self.rows[k][i] = better;
             if let Some(allowed) = allowed.get(i) {
                 let ratio = change.abs() / allowed;
-                // A NaN must not hide.
+                // NaN counts as an error.
                 error = if ratio <= error { error } else { ratio };
             }
         }
@@ -156,7 +158,7 @@ impl Extrapolation {
     }
 }
 
-/// Part of the step that the tolerance would just allow.
+/// Part that is taken of the step that the tolerance would just allow.
 const SAFETY: f64 = 0.8;
 /// Largest growth of the step.
 const GROWTH: f64 = 6.0;

@@ -1,13 +1,14 @@
-//! What happens at one instant: a collision, all that touches it, and what rests then.
+//! What happens at one instant: a collision, those of all beads that touch, and what rests
+//! afterwards.
 
 use super::{Ed, Gap, Rule};
 use crate::physics::EngineError;
 use crate::physics::column::{totally_inelastic, velocities};
 use crate::physics::flight::Ground;
-use crate::physics::moment::translation;
+use crate::physics::snapshot::translation;
 
-/// Collisions of a cascade after which it is left for a pause, so that whoever waits for
-/// the engine is not made to wait for the end of a long one.
+/// Collisions after which a cascade is left for a pause. A caller with a budget then does not
+/// have to wait for the end of a long one.
 const PAUSE: i32 = 20_000;
 
 impl<G: Ground, R: Rule> Ed<G, R> {
@@ -36,7 +37,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         Ok(())
     }
 
-    /// The cascade of the touching gaps from `low` to `high`, to its end or to a pause.
+    /// Goes on with the cascade of the touching gaps from `low` to `high`, to its end or to a
+    /// pause.
     pub(super) fn cascade(&mut self, low: usize, high: usize, t: f64) {
         if !self.largest_velocity_first(low, high, t) {
             self.paused = Some((low, high));
@@ -54,8 +56,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
     }
 
-    /// The gaps around `i` that touch, brought to time `t` together with the next gap
-    /// on either side, whose rate the cascade will change.
+    /// The first and the last of the touching gaps around `i`. They are brought to time `t`,
+    /// and so is the next gap on either side, whose rate the cascade changes too.
     fn touching_block(&mut self, i: usize, t: f64) -> (usize, usize) {
         let (mut low, mut high) = (i, i);
         while low > 0 {
@@ -75,9 +77,9 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         (low, high)
     }
 
-    /// Sec. II B: of all touching pairs that approach, the fastest collides, until
-    /// none approaches faster than what counts as none. False where that takes so long
-    /// that a pause is due.
+    /// The largest relative velocity goes first (LRV, Sec. II B): of all touching pairs the
+    /// one that approaches fastest collides, until none approaches. False where a pause comes
+    /// first.
     fn largest_velocity_first(&mut self, low: usize, high: usize, t: f64) -> bool {
         if low == high {
             if self.gaps[low].w < -self.closing.speed {
@@ -111,7 +113,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         done || most.is_some()
     }
 
-    /// One collision of the beads at gap `j`, whose rates are of time `t`.
+    /// The beads at gap `j` collide at `t`, to which they and their neighbours are brought.
     fn collide(&mut self, j: usize, t: f64) {
         let w = self.gaps[j].w;
         let elastic = self.rule.elastic(j.checked_sub(1), j, t);
@@ -131,8 +133,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.collided[j] = self.cascades;
     }
 
-    /// Touching beads that still approach when their cascade is closed go on together, with
-    /// their momentum.
+    /// Closes the cascade: touching beads that still approach go on together, with their
+    /// momentum.
     fn stick(&mut self, low: usize, high: usize, t: f64) {
         if self.gaps[low..=high].iter().all(|gap| gap.w >= 0.0) {
             return;
@@ -149,8 +151,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.set_velocities(first, on_floor, &before, &after, t);
     }
 
-    /// Gives the beads from `first` on the velocities `after` in place of `before`,
-    /// both in the frame of the floor or of any other body, and books the difference.
+    /// Gives the beads from `first` on the velocities `after` in place of `before`, and books
+    /// the difference. Both are relative to one body, the floor where it takes part.
     fn set_velocities(
         &mut self,
         first: usize,
@@ -165,7 +167,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             let m = self.masses[bead];
             lost -= 0.5 * m * change * (u + v);
             momentum += m * change;
-            // Two beads of one pool must not part by a rounding.
+            // Beads that got the same velocity must not part by a rounding.
             let together = if k == 0 {
                 on_floor && *v == 0.0
             } else {
@@ -181,14 +183,15 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             }
         }
         self.state.books.ledger.lost.add(lost);
-        // Without the floor the pools conserve their momentum.
+        // Without the floor no momentum is gained.
         if on_floor {
             self.floor_acts(momentum, t);
         }
     }
 
-    /// Which beads of a block on the floor rest now: from below, each whose whole
-    /// remaining sequence of bounces, 2u/(a(1 − ε)), is shorter than the rest time.
+    /// Finds which beads of a block on the floor rest now, from below. A bead that leaves at
+    /// rate u rests when all its bounces to come, which last 2u/(a(1 − ε)), are shorter than the
+    /// rest time; a is what presses it onto the floor.
     fn settle_on_floor(&mut self, high: usize, t: f64) {
         let pressing = if G::PULLS {
             self.ground.pressing(t)
@@ -215,7 +218,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
     }
 
-    /// Bead `j`, about to leave the resting stack ever so slowly, stays on it.
+    /// Bead `j`, which leaves the resting stack very slowly, stays on it.
     fn rest(&mut self, j: usize, t: f64) {
         let w = self.gaps[j].w;
         self.gaps[j] = Gap { g: 0.0, w: 0.0, t };
@@ -229,13 +232,13 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
     }
 
-    /// The column arrives at the floor, if the floor contact is new.
+    /// Begins a bounce of the whole column, if the floor's contact is new and it arrives.
     fn floor_contact_begins(&mut self, t: f64) {
         let books = &self.state.books;
         let new = !books.contacts.closed()[0] && !books.bounce.has_arrived();
         if new && self.translation(t) < 0.0 {
             let (gaps, rates) = self.gaps_and_rates(t);
-            let arrival = self.moment(&gaps, &rates, t).arrival();
+            let arrival = self.snapshot(&gaps, &rates, t).arrival();
             self.state.books.bounce.begin(arrival);
         }
     }
@@ -260,7 +263,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 (false, false) => contacts.note(j, false, time),
             }
         }
-        // The next gaps on either side were flights, or touched once and part now.
+        // The next gap on either side has opened, if it was a contact.
         for j in [low.checked_sub(1), Some(high + 1)].into_iter().flatten() {
             if j < self.gaps.len() && self.gaps[j].w != 0.0 {
                 self.state.books.contacts.note(j, false, time);

@@ -1,56 +1,55 @@
-//! When a collapse is closed.
+//! When an inelastic collapse is closed, so that its beads go on together.
 //!
-//! In inelastic collapse a pair of beads collides infinitely often in finite time.
-//! Only the depth to which gaps and rates shrink tells it from a sequence that is long
-//! and ends: hard spheres have no scale, so a sequence can come back from any depth,
-//! though the less likely the deeper it is. Both are followed, with all their digits,
-//! until a pair meets at [`DEEP`] of the scene's own speed; then the two go on together.
+//! In a collapse a pair of beads collides infinitely often in finite time. At first it looks
+//! like a long sequence that ends. Only the depth to which gaps and rates shrink tells them
+//! apart. Hard spheres have no scale, so a sequence can come back from any depth, but the
+//! deeper it is the rarer that is. Every sequence is followed with all its digits until a pair
+//! meets at 2^−[`DEEP`] of the scene's own speed. There it is closed.
 //!
-//! What this takes from the energy is 10⁻⁶⁰ of it: no contact can push beads apart faster
-//! than they met. What else it can change is the order of collisions to come. That is
-//! measured, not argued: a run in which something was closed is done again to half the
-//! depth, and the difference counts as sensitivity.
+//! Closing takes 10⁻⁶⁰ of the energy, since no contact can push beads apart faster than they
+//! met. It may also change the order of the collisions to come. A run in which something was
+//! closed is therefore done again to half the depth, and the difference counts as
+//! sensitivity.
 //!
 //! Some collapses are closed earlier:
 //!
-//! - Equal beads with Σ(1 − ε) ≥ [`WHOLE`] above a floor come to rest as a whole. Collapse
-//!   begins near π there (Bernu & Mazighi 1990: ε < tan²(π/4 (1 − 1/N))), and the longest
-//!   finite sequence known, of 2·10⁷ collisions, has 3.7. Nothing is left of the energy at
-//!   whatever depth it is closed, so that depth decides about the cost only. So do unequal
-//!   ones with [`UNEQUAL`], but for a light bead that gets away.
-//! - Columns longer than [`LONG`], whose cost would grow as N³. Their cascades of touching
-//!   beads with Σ(1 − ε) ≥ [`ABSORBING`], too, after [`Closing::cascade`] collisions: what a
-//!   wave carries through them and back has fallen by e^{−Σ(1−ε)}, its energy by 10⁻¹².
-//! - Beads on the floor that gravity presses together: [`Closing::rest_time`].
+//! - Equal beads with Σ(1 − ε) ≥ [`WHOLE`] above a floor come to rest as a whole, whatever the
+//!   depth at which they are closed. Collapse begins near Σ(1 − ε) = π there (Bernu & Mazighi
+//!   1990: ε < tan²(π/4 (1 − 1/N))). The longest finite sequence known, of 2·10⁷ collisions,
+//!   has 3.7. Unequal beads do so from [`UNEQUAL`] on, but for a light one that may get away.
+//! - In columns longer than [`LONG`] the cost would grow as N³, and the depth is less. Their
+//!   cascades of touching beads with Σ(1 − ε) ≥ [`ABSORBING`] are closed after
+//!   [`Closing::cascade`] collisions. A wave that crosses such beads and comes back has fallen
+//!   by e^{−Σ(1−ε)}, its energy by 10⁻¹².
+//! - Beads that gravity presses onto the floor are closed by [`Closing::rest_time`].
 
 use super::Pair;
 use crate::physics::state::{Depth, State};
 use crate::scene::Scene;
 
-/// Powers of two between the scene's own speed and that of a pair that is closed: of 200
-/// columns of equal beads near collapse that came back none had been as deep, of 1500 of
-/// unequal ones 1 %. Gaps fall as the third or fourth power of speeds.
+/// Powers of two between the scene's own speed and that of a pair that is closed. Of 200
+/// columns of equal beads near collapse that came back none had been as deep. Of 1500 columns
+/// of unequal beads 1 % had. Gaps fall as the third or fourth power of speeds.
 const DEEP: i32 = 100;
-/// Σ(1 − ε) from which equal beads come to rest as a whole, and unequal ones collapse at
-/// once, but for a light one that gets away.
+/// Σ(1 − ε) from which on equal beads come to rest as a whole.
 const WHOLE: f64 = 5.0;
+/// The same of unequal beads.
 const UNEQUAL: f64 = 8.0;
-/// The longest column that is followed to full depth.
+/// Beads of the longest column that is followed to full depth.
 const LONG: usize = 64;
-/// Σ(1 − ε) of touching beads through which nothing comes back.
+/// Σ(1 − ε) of touching beads that no wave crosses and comes back from.
 const ABSORBING: f64 = 14.0;
-/// Powers of two between √(d/g) and what is left of a bouncing sequence at rest.
+/// Powers of two between √(d/g) and the rest time.
 const REST: i32 = 22;
-/// Power of two near which gaps without gravity start.
-const ROOM: i32 = 500;
+/// Power of two, in units, near which the gaps of a column without gravity start.
+const WIDEST: i32 = 500;
 
 /// What counts as no motion.
 pub(super) struct Closing {
     /// Approaches slower than this, m/s, are none.
     pub speed: f64,
-    /// A bead on the floor rests when all its bounces to come, 2u/(a(1 − ε)), last less
-    /// than this, s: 2·10⁻⁷ of √(d/g). Meanwhile it
-    /// cannot rise higher than 10⁻¹⁴ d.
+    /// The rest time, s: 2·10⁻⁷ of √(d/g). A bead on the floor rests when all its bounces to
+    /// come last less. They are lower than 10⁻¹⁴ d.
     pub rest_time: f64,
     /// Whether long cascades are closed before they are slow.
     long: bool,
@@ -58,7 +57,7 @@ pub(super) struct Closing {
 }
 
 impl Closing {
-    /// Of a scene with these pairs, to a depth.
+    /// For a scene with these pairs, to a depth.
     pub fn of(scene: &Scene, pairs: &[Pair], depth: Depth) -> Self {
         let launched = scene.launch().map_or(0.0, |launch| launch.v0.abs());
         let gravity = scene.gravity;
@@ -72,8 +71,8 @@ impl Closing {
         }
     }
 
-    /// Collisions after which a cascade of these touching pairs is closed. Waves cross k
-    /// pairs in k collisions; these are some twenty waves.
+    /// Collisions after which a cascade of these touching pairs is closed; None where it is
+    /// followed to its end. A wave crosses k pairs in k collisions: these are some twenty waves.
     pub fn cascade(&self, touching: &[Pair]) -> Option<i32> {
         let absorbs = self.long && absorbed(touching) >= ABSORBING;
         absorbs.then(|| {
@@ -82,23 +81,25 @@ impl Closing {
         })
     }
 
-    /// Units of length in a metre, a power of two: without gravity such that the widest
-    /// gap of the state is about 2⁵⁰⁰, and gaps can fall by 1500 powers of two.
-    pub fn room(scene: &Scene, state: &State) -> f64 {
+    /// Units of length in a metre, and of time in a second: a power of two. Without gravity
+    /// the widest gap of the state is about 2^[`WIDEST`] units, so that gaps can fall by 1500
+    /// powers of two before they underflow.
+    pub fn scale(scene: &Scene, state: &State) -> f64 {
         if scene.gravity.is_some() {
             return 1.0;
         }
         let widest = state.gaps.iter().fold(0.0_f64, |widest, &g| widest.max(g));
         let length = if widest > 0.0 { widest } else { scene.diameter };
-        power_of_two(ROOM - exponent(length))
+        power_of_two(WIDEST - exponent(length))
     }
 }
 
-/// Powers of two to which a pair's speed is followed down.
+/// Powers of two between the scene's own speed and that of a pair that is closed, in this
+/// column.
 fn powers(scene: &Scene, pairs: &[Pair]) -> i32 {
     let whole = absorbed(pairs) >= if scene.width == 0.0 { WHOLE } else { UNEQUAL };
     if whole || scene.n > LONG {
-        // Short columns cost little; of long ones what waves between ends can still do.
+        // Short columns cost little and go deep, long ones less so.
         DEEP.min(12 + 700 / i32::try_from(scene.n).unwrap_or(i32::MAX))
     } else {
         DEEP

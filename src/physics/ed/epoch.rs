@@ -1,26 +1,30 @@
-//! The epoch that all times are counted from, and that follows the collisions.
+//! The epoch that all times are counted from. It moves on with the collisions, so that times
+//! keep their digits.
 
 use super::{Ed, Rule};
 use crate::physics::flight::Ground;
 
-/// The epoch follows where a gap closes again within 1/(16 N) of the time since it: so many
-/// of the digits of a flight may be lost to the digits of its time. By chance this happens
-/// once in some 16 N collisions, so that following, O(N), costs next to nothing.
+/// A gap of N closes soon when it closes within this part over N of the time since the epoch.
+///
+/// A flight that is short against the time since the epoch loses digits, since it is a
+/// difference of two such times. The epoch moves to now before a flight that closes soon, so
+/// that a flight loses a factor 16 N at most. By chance one in some 16 N flights closes soon,
+/// so that the O(N) of a move is cheap.
 const SOON: f64 = 1.0 / 16.0;
 
-/// Multiple of now before which a gap of one of `n` closes soon.
+/// A gap of `n` closes soon when it closes before this multiple of now.
 pub(super) fn soonest(n: usize) -> f64 {
     1.0 + SOON / n as f64
 }
 
 impl<G: Ground, R: Rule> Ed<G, R> {
-    /// A gap that closes next at `soonest` was scheduled at `t`.
+    /// Notes that of the gaps scheduled at `t` the first closes at `soonest`.
     #[inline]
     pub(super) fn look_ahead(&mut self, soonest: f64, t: f64) {
         self.soon |= soonest < t * self.soonest;
     }
 
-    /// Moves the epoch on by so much, so that times keep their digits.
+    /// Moves the epoch on by so many units of time.
     pub(super) fn move_epoch(&mut self, by: f64) {
         self.ground.move_epoch(by);
         self.epoch.add(by);
@@ -34,8 +38,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.queue.set(self.gaps.len() + 1, self.ground.tick());
     }
 
-    /// Makes now the epoch, and schedules all gaps again: what closes soon is then known
-    /// to a part of its flight, not of the time before.
+    /// Moves the epoch to now, and schedules all gaps again: what closes soon then has the
+    /// digits of its flight, not of the time before.
     pub(super) fn follow(&mut self) {
         self.move_epoch(self.now);
         self.schedule(0, self.gaps.len() - 1);

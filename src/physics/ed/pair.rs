@@ -1,19 +1,20 @@
-//! The commonest event: two beads meet in flight, away from everything else.
+//! A short way for the commonest event: two beads meet in flight, away from all others.
 
 use super::{Ed, Gap, Rule};
 use crate::physics::column::{reduced_mass, restitutions};
 use crate::physics::flight::Ground;
 use crate::scene::Scene;
 
-/// What a collision at a gap needs to know of its bodies.
+/// The constants of the collisions at a gap.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
-    /// Reduced mass m*.
+    /// Reduced mass m*, in mean bead masses.
     pub reduced: f64,
     pub restitution: f64,
-    /// Parts m*/m of a change of the gap's rate that the bead below (the floor: none)
-    /// and the one above take.
+    /// m*/m of the bead below, the part that it takes of a change of the gap's rate; 0 for the
+    /// floor.
     pub below: f64,
+    /// The same of the bead above.
     pub above: f64,
 }
 
@@ -36,7 +37,7 @@ pub(super) fn pairs(scene: &Scene, masses: &[f64]) -> Vec<Pair> {
 }
 
 impl Pair {
-    /// The rate after a collision at rate `w`, its change, and the energy lost.
+    /// The rate after a collision at rate `w`, m/s, its change, and the energy lost, m²/s².
     #[inline]
     pub fn collide(&self, w: f64, elastic: bool) -> (f64, f64, f64) {
         let restitution = if elastic { 1.0 } else { self.restitution };
@@ -46,9 +47,9 @@ impl Pair {
 }
 
 impl<G: Ground, R: Rule> Ed<G, R> {
-    /// Two beads meet at gap `i`, and part; the gaps beside it stay open. Nearly every
-    /// event is of this kind, so it is done at the least cost. False, and nothing done,
-    /// where it is otherwise: [`Ed::collide_at`] sees to all kinds.
+    /// Two beads meet at gap `i` at `t`, and part; the gaps beside it stay open. Nearly every
+    /// event is of this kind, and this does it at the least cost. Where it is of another kind
+    /// nothing is done, and the answer is false: [`Ed::collide_at`] does all kinds.
     #[inline]
     pub(super) fn pair_meets(&mut self, i: usize, t: f64) -> bool {
         if i <= self.stack {

@@ -2,14 +2,14 @@
 
 /// Whether a collision loses energy.
 pub(super) trait Rule: Send {
-    /// Whether a collision of beads `below` (none: the floor) and `above` at `t` is
-    /// elastic; it is noted as their last.
+    /// Whether a collision of beads `below` (None for the floor) and `above` at `t` is elastic.
+    /// It is noted as their last one.
     fn elastic(&mut self, below: Option<usize>, above: usize, t: f64) -> bool;
-    /// Moves the origin of time on.
+    /// Moves the epoch on by so many units of time.
     fn shift(&mut self, shift: f64);
 }
 
-/// Every collision does.
+/// Every collision loses energy.
 pub(super) struct Always;
 
 impl Rule for Always {
@@ -19,7 +19,8 @@ impl Rule for Always {
     fn shift(&mut self, _: f64) {}
 }
 
-/// The TC model of Luding & McNamara (1998): not within t_c of a bead's last one.
+/// The TC model of Luding & McNamara (1998): a collision is elastic if either bead's last one
+/// was less than t_c ago.
 pub(super) struct LastCollisions {
     contact_time: f64,
     last: Vec<f64>,

@@ -1,8 +1,8 @@
 //! Integrals over time of the column's height and energies, in closed form.
 //!
-//! Collisions between beads move neither the centre of mass nor its velocity: all that
-//! flies does so as one body, whose E_r falls by what collisions lose; what rides the
-//! floor is a second body. So there is next to nothing to do but where the floor acts.
+//! The column is two bodies: the beads in flight, and those that ride the floor. Collisions
+//! between beads do not act on the centre of mass of the first. Its E_r falls by what they
+//! lose. So an event costs O(1), unless the floor acts.
 
 use super::{Ed, Rule};
 use crate::physics::flight::Ground;
@@ -10,39 +10,45 @@ use crate::physics::ledger::Sum;
 use crate::physics::observation::{Energies, Integrals};
 use crate::physics::plate::Plate;
 
-/// Ticks of the ground after which rounding errors are ended.
+/// Ticks of the ground after which the bodies are computed anew from the beads, which ends the
+/// sum of rounding errors.
 const AGE: f64 = 16.0;
 
-/// The column as two bodies, at a time, and the integrals up to there.
+/// The column as two bodies at a time of their own, and the integrals up to there.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Tally {
-    /// When, s from the epoch.
+    /// That time, s from the epoch.
     t: f64,
-    /// Mass of the beads in flight, and of those that ride the floor.
+    /// Mass of the beads in flight.
     flying: f64,
+    /// Mass of the beads that ride the floor.
     riding: f64,
     /// Σ m z and Σ m v of the beads in flight.
     moment: f64,
     momentum: f64,
-    /// Their E_r about their own centre of mass, since when it is so, and its integral
-    /// since `t`.
+    /// Their E_r about their own centre of mass.
     relative: f64,
+    /// Since when that is so, s from the epoch.
     since: f64,
+    /// The integral of it from `t` to `since`.
     warmth: f64,
     /// What the ledger had as lost then.
     lost: f64,
-    /// How far the epoch has moved since the two bodies were weighed, s.
+    /// How far the epoch has moved since the bodies were computed from the beads, s.
     aged: f64,
-    /// Whether they have to be weighed again.
+    /// Whether they have to be computed anew.
     stale: bool,
+    /// ∫ Σ m z dt of the whole column.
     height: Sum,
+    /// ∫ (Σ m v)² dt.
     squares: Sum,
+    /// ∫ E_r dt.
     heat: Sum,
 }
 
 impl Tally {
-    /// The integrals of Σ m z, of (Σ m v)² and of E_r over `tau` s from `t` on, `plate`
-    /// being the floor at `t`.
+    /// The integrals of Σ m z, of (Σ m v)² and of E_r over the `tau` s from `t` on. `plate` is
+    /// the floor at `t`.
     fn ahead(&self, tau: f64, gravity: f64, plate: Plate) -> [f64; 3] {
         let Self {
             flying,
@@ -59,7 +65,7 @@ impl Tally {
             return [height, flying * flying * flown, warmth];
         }
         let (ride, ridden) = plate.swept(tau);
-        // ∫ v ż₀ dt of both bodies' velocities, by parts.
+        // ∫ v ż₀ dt of the velocities of both bodies, by parts.
         let start = plate.position();
         let risen = plate.later(tau).position() - start;
         let mixed = (speed - fall) * risen + gravity * (ride - start * tau);
@@ -72,7 +78,7 @@ impl Tally {
         ]
     }
 
-    /// Collisions have lost so much in all, up to `t`.
+    /// Notes what collisions have lost in all, up to `t`.
     #[inline]
     fn loses(&mut self, lost: f64, t: f64) {
         self.warmth += self.relative * (t - self.since);
@@ -83,7 +89,7 @@ impl Tally {
 }
 
 impl<G: Ground, R: Rule> Ed<G, R> {
-    /// Enters the integrals up to `t`, and moves both bodies there.
+    /// Integrates up to `t`, and moves both bodies there.
     pub(super) fn settle_tally(&mut self, t: f64) {
         if t == self.tally.t {
             return;
@@ -102,7 +108,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         tally.momentum -= tally.flying * fall;
     }
 
-    /// The floor gives the column an impulse at `t`; only a moving one does work with it.
+    /// The floor gives the column an impulse at `t`. Only a moving floor does work with it.
     pub(super) fn floor_acts(&mut self, impulse: f64, t: f64) {
         let mut work = 0.0;
         if G::MOVES {
@@ -118,13 +124,14 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             tally.stale = true;
             return;
         }
-        // What the work does not give the centre of mass is E_r's; losses follow.
+        // E_r gets what of the work the centre of mass does not. What the collision loses is
+        // taken from it in `keep_tally`.
         let of_centre = impulse * (tally.momentum + 0.5 * impulse) / tally.flying;
         tally.relative += work - of_centre;
         tally.momentum += impulse;
     }
 
-    /// Other beads ride the floor from `t` on.
+    /// Other beads than before ride the floor from `t` on.
     pub(super) fn riders_change(&mut self, t: f64) {
         if G::PULLS {
             self.settle_tally(t);
@@ -132,7 +139,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
     }
 
-    /// The epoch has moved on; now and then rounding errors end with that.
+    /// Follows the epoch, which has moved on.
     pub(super) fn shift_tally(&mut self, by: f64) {
         let tally = &mut self.tally;
         tally.t -= by;
@@ -141,7 +148,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         tally.stale |= tally.aged >= AGE * self.ground.tick();
     }
 
-    /// After every event: what it lost, and what rides now.
+    /// Takes in an event: what it lost, and which beads ride now.
     #[inline]
     pub(super) fn keep_tally(&mut self) {
         if !G::PULLS {
@@ -155,7 +162,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         }
     }
 
-    /// Weighs both bodies anew, now.
+    /// Computes both bodies from the beads, now.
     pub(super) fn weigh(&mut self) {
         let t = self.now;
         let plate = self.ground.plate(t);
@@ -168,7 +175,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             if i >= self.stack {
                 mass += m;
                 moment += m * z;
-                // About the mean so far: beads of one velocity have no E_r.
+                // Welford's sums about the mean so far: beads of one velocity have no E_r.
                 let off = v - mean;
                 mean += off * m / mass;
                 squares += m * off * (v - mean);
@@ -190,7 +197,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         };
     }
 
-    /// The integrals since the start, up to now; none without gravity.
+    /// The integrals from the start to now; None without gravity.
     pub(super) fn integrals(&self) -> Option<Integrals> {
         let tally = &self.tally;
         let plate = self.ground.plate(tally.t);

@@ -7,14 +7,14 @@ use crate::math;
 use crate::physics::ledger::Sum;
 use crate::physics::plate::Plate;
 
-/// α below which nothing takes off. Just above 1 the plate falls away for so short a
-/// time that the lift is below rounding, and a bead would take off and rest for ever.
+/// Nothing takes off up to this α. Just above 1 the plate falls away for so short a time that
+/// rounding hides it, and a bead would take off and come to rest again without end.
 const BARELY: f64 = 1.0 + 1e-9;
 
 /// A vibrating plate under gravity.
 pub(crate) struct Shaken {
     gravity: f64,
-    /// The plate `since` s before the epoch.
+    /// The plate as it was `since` s before the epoch.
     plate: Plate,
     since: Sum,
     /// Aω², m/s².
@@ -25,8 +25,7 @@ pub(crate) struct Shaken {
     tick: f64,
 }
 
-/// A bead that falls freely over the plate: gap and rate as functions of the time τ
-/// since it had gap `g` and rate `w`, in forms that lose no digits at small τ.
+/// A bead that falls freely over the plate. It had gap `g` and rate `w` at τ = 0.
 struct Fall {
     g: f64,
     w: f64,
@@ -38,13 +37,15 @@ struct Fall {
 }
 
 impl Fall {
+    /// Gap, m, and rate, m/s, at τ. At small τ what cancels is left out, so that no digits are
+    /// lost.
     fn at(&self, tau: f64) -> (f64, f64) {
         let x = self.omega * tau;
         if x < 0.5 {
             let a = self.sin * self.omega * self.omega - self.gravity;
             let (sine, cosine) = beyond_taylor(x);
             let g = self.g + (self.w + 0.5 * a * tau) * tau - self.sin * cosine + self.cos * sine;
-            // d/dx: of x²/2 − (1 − cos x) it is x − sin x, of that 1 − cos x.
+            // The derivative of x²/2 − (1 − cos x) is x − sin x, whose derivative is 1 − cos x.
             let w = self.w
                 + a * tau
                 + self.omega * (self.cos * (0.5 * x * x - cosine) - self.sin * sine);
@@ -67,14 +68,15 @@ impl Fall {
         (self.sin + self.g, self.omega * self.cos + self.w)
     }
 
-    /// Size of the terms of which the gap at τ is the sum.
+    /// Size of the terms whose sum the gap at τ is, m: its rounding is a bit of this.
     fn size(&self, tau: f64) -> f64 {
         let (h, v) = self.height();
         h.abs() + (v.abs() + 0.5 * self.gravity * tau) * tau + math::hypot(self.sin, self.cos)
     }
 }
 
-/// x − sin x and x²/2 − (1 − cos x) for 0 ≤ x ≤ ½, to full relative precision.
+/// x − sin x and x²/2 − (1 − cos x) for 0 ≤ x ≤ ½, to full relative precision, by their
+/// Taylor series.
 fn beyond_taylor(x: f64) -> (f64, f64) {
     let xx = x * x;
     let nested = |divisors: [f64; 6]| divisors.iter().rev().fold(1.0, |sum, d| 1.0 - xx / d * sum);
@@ -83,7 +85,7 @@ fn beyond_taylor(x: f64) -> (f64, f64) {
     (sine, cosine)
 }
 
-/// Taylor coefficients of a (sin cos x + cos sin x) in units of which x is one.
+/// Writes the Taylor coefficients in s of a sin(θ + xs), where `sin` and `cos` are those of θ.
 fn oscillation(a: f64, sin: f64, cos: f64, x: f64, into: &mut [f64]) {
     let mut size = a;
     let mut quarter = [sin, cos, -sin, -cos].into_iter().cycle();
@@ -108,6 +110,7 @@ impl Shaken {
         }
     }
 
+    /// Phase of the plate at `t`, in [0, 2π).
     fn phase(&self, t: f64) -> f64 {
         (self.plate.phase + self.plate.omega * (self.since.total() + t)).rem_euclid(TAU)
     }
@@ -127,13 +130,13 @@ impl Shaken {
         }
     }
 
-    /// How long from `t0` the plate goes on falling away faster than g.
+    /// How long from `t0` on the plate falls away faster than g, s; 0 if it does not.
     fn window(&self, t0: f64) -> f64 {
         let Some(take_off) = self.take_off else {
             return 0.0;
         };
         let phase = self.phase(t0);
-        // A bead that has just taken off stands at the window's edge, give or take a rounding.
+        // A bead that has just taken off is at the beginning of this, but for a rounding.
         let inside = phase > take_off - 1e-12 && phase < PI - take_off;
         if inside {
             (PI - take_off - phase) / self.plate.omega
@@ -142,8 +145,8 @@ impl Shaken {
         }
     }
 
-    /// When a bead at height `h` over the plate's centre with velocity `v` is above
-    /// all that the plate can reach.
+    /// Between which times τ a bead is higher than the plate can rise. It has height `h` over
+    /// the plate's centre and velocity `v` at τ = 0. None if it never is.
     fn out_of_reach(&self, h: f64, v: f64) -> Option<(f64, f64)> {
         let discriminant = v * v + 2.0 * self.gravity * (h - self.plate.amplitude);
         (discriminant > 0.0).then(|| {
@@ -161,9 +164,9 @@ impl Ground for Shaken {
         self.falling(t0, g, w).at(t - t0)
     }
 
-    /// Conservative advancement: the gap closes with at most M = g + Aω², so it cannot
-    /// close before the first root of gap + rate τ − Mτ²/2. Steps up to there never
-    /// pass a hit, grazing ones included, and converge quadratically on a transversal one.
+    /// Conservative advancement. The gap's acceleration is at least −M, M = g + Aω², so it
+    /// cannot close before the first root of gap + rate τ − Mτ²/2. A step to there never passes
+    /// a hit, not even a grazing one. Steps converge quadratically unless the hit is grazing.
     fn hit(&self, t0: f64, g: f64, w: f64) -> f64 {
         if g <= 0.0 && w < 0.0 {
             return t0;
@@ -194,7 +197,7 @@ impl Ground for Shaken {
 
     fn pressing(&self, t: f64) -> f64 {
         let pressing = self.gravity - self.shake * math::sin(self.phase(t));
-        // Where nothing takes off, something presses, if only by a rounding.
+        // Where nothing takes off it is positive, but for rounding.
         if self.take_off.is_some() {
             pressing
         } else {
@@ -226,7 +229,7 @@ impl Ground for Shaken {
 
     fn move_epoch(&mut self, by: f64) {
         self.since.add(by);
-        // A phase is rounded where it turns, once a period.
+        // The phase is rounded only here, about once a period.
         if self.since.total() >= self.tick {
             self.plate = self.plate.later(self.tick);
             self.since.add(-self.tick);

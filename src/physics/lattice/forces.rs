@@ -1,4 +1,4 @@
-//! Forces of the contacts of a lattice.
+//! LatticeForces of the contacts of a lattice.
 
 use super::list::List;
 use crate::physics::contact_law::ContactLaw;
@@ -51,13 +51,13 @@ pub(super) struct Web {
 }
 
 /// The contacts of a lattice, and what they do to its beads.
-pub(super) struct Forces<L, S> {
+pub(super) struct LatticeForces<L, S> {
     pub web: Web,
     laws: Laws<L>,
     surface: S,
 }
 
-impl<L: ContactLaw, S: Surface> Forces<L, S> {
+impl<L: ContactLaw, S: Surface> LatticeForces<L, S> {
     pub fn new(sites: Sites, laws: Laws<L>, surface: S, places: &[f64]) -> Self {
         let web = Web {
             list: List::new(&sites, places),

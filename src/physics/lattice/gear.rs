@@ -1,22 +1,22 @@
 //! Gear's fifth-order predictor–corrector for a lattice: the scaled derivatives
 //! r_k = (h^k/k!) d^k x/dt^k of every displacement, a row each.
 
-use super::forces::{Forces, Surface};
+use super::forces::{LatticeForces, Surface};
 use super::stepper::{PlaneStepper, flush};
 use crate::physics::contact_law::ContactLaw;
 use crate::physics::md::{corrected, predicted};
 
-pub(super) struct Gear {
+pub(super) struct LatticeGear {
     h: f64,
     rows: [Vec<f64>; 6],
 }
 
-impl PlaneStepper for Gear {
+impl PlaneStepper for LatticeGear {
     fn start<L: ContactLaw, S: Surface>(
         places: Vec<f64>,
         rates: &[f64],
         h: f64,
-        forces: &mut Forces<L, S>,
+        forces: &mut LatticeForces<L, S>,
     ) -> Self {
         forces.act(&places, rates, 1.0);
         let half = 0.5 * h * h;
@@ -35,7 +35,7 @@ impl PlaneStepper for Gear {
     }
 
     #[inline]
-    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
+    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut LatticeForces<L, S>) -> bool {
         self.predict();
         let changed = forces.act(&self.rows[0], &self.rows[1], 1.0 / self.h);
         self.correct(&forces.web.accelerations);
@@ -68,7 +68,7 @@ impl PlaneStepper for Gear {
     }
 }
 
-impl Gear {
+impl LatticeGear {
     /// The Taylor series, a step on.
     #[inline]
     fn predict(&mut self) {

@@ -40,14 +40,14 @@ pub(super) struct List {
     made_at: Vec<f64>,
     /// Half the skin, m.
     slack: f64,
-    cells: Cells,
+    cells: CellList,
     /// The pairs and beads that touched in the last list, in its order.
     touching: (Vec<[u32; 2]>, Vec<u32>),
 }
 
 /// Beads by the cell of a grid that they are in.
 #[derive(Debug, Default)]
-struct Cells {
+struct CellList {
     across: usize,
     up: usize,
     /// First place in `beads` of each cell, and one more.
@@ -185,7 +185,7 @@ fn index(i: usize) -> u32 {
     u32::try_from(i).expect("a bead's number fits")
 }
 
-impl Cells {
+impl CellList {
     fn fill(&mut self, sites: &Sites, places: &[f64], reach: f64) {
         let n = sites.count();
         let (period, height) = (sites.period(), |i: usize| {

@@ -1,6 +1,6 @@
 //! What moves a lattice on a grid of steps: integrator and contacts together.
 
-use super::forces::{Forces, Surface, Web};
+use super::forces::{LatticeForces, Surface, Web};
 use super::stepper::PlaneStepper;
 use crate::physics::contact_law::ContactLaw;
 
@@ -28,12 +28,12 @@ pub(super) trait PlaneMover: Send {
 /// A lattice that an integrator moves.
 pub(super) struct PlaneMoved<M, L, S> {
     stepper: M,
-    forces: Forces<L, S>,
+    forces: LatticeForces<L, S>,
 }
 
 impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneMoved<M, L, S> {
     /// Starts from displacements, m, and rates, m/s, with steps of `h` s.
-    pub fn new(places: Vec<f64>, rates: &[f64], h: f64, mut forces: Forces<L, S>) -> Self {
+    pub fn new(places: Vec<f64>, rates: &[f64], h: f64, mut forces: LatticeForces<L, S>) -> Self {
         let stepper = M::start(places, rates, h, &mut forces);
         forces.web.lost = 0.0;
         Self { stepper, forces }

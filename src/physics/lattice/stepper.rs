@@ -1,6 +1,6 @@
 //! What an integrator of a lattice does.
 
-use super::forces::{Forces, Surface};
+use super::forces::{LatticeForces, Surface};
 use crate::physics::contact_law::ContactLaw;
 use crate::physics::md::flushed;
 
@@ -11,10 +11,10 @@ pub(super) trait PlaneStepper: Send + Sized {
         places: Vec<f64>,
         rates: &[f64],
         h: f64,
-        forces: &mut Forces<L, S>,
+        forces: &mut LatticeForces<L, S>,
     ) -> Self;
     /// One step; whether a contact began or ended.
-    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool;
+    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut LatticeForces<L, S>) -> bool;
     /// Flies on for `steps` steps at constant rates.
     fn coast(&mut self, steps: u64);
     /// Displacements, m.

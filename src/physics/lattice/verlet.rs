@@ -1,11 +1,11 @@
 //! Velocity Verlet for a lattice. The dashpots get the velocity that the old
 //! acceleration predicts; rates are kept as they were half a step ago.
 
-use super::forces::{Forces, Surface};
+use super::forces::{LatticeForces, Surface};
 use super::stepper::{PlaneStepper, flush};
 use crate::physics::contact_law::ContactLaw;
 
-pub(super) struct Verlet {
+pub(super) struct LatticeVerlet {
     h: f64,
     places: Vec<f64>,
     /// Rates half a step ago, m/s.
@@ -14,12 +14,12 @@ pub(super) struct Verlet {
     predicted: Vec<f64>,
 }
 
-impl PlaneStepper for Verlet {
+impl PlaneStepper for LatticeVerlet {
     fn start<L: ContactLaw, S: Surface>(
         places: Vec<f64>,
         rates: &[f64],
         h: f64,
-        forces: &mut Forces<L, S>,
+        forces: &mut LatticeForces<L, S>,
     ) -> Self {
         forces.act(&places, rates, 1.0);
         let before = rates.iter().zip(&forces.web.accelerations);
@@ -32,7 +32,7 @@ impl PlaneStepper for Verlet {
     }
 
     #[inline]
-    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut Forces<L, S>) -> bool {
+    fn step<L: ContactLaw, S: Surface>(&mut self, forces: &mut LatticeForces<L, S>) -> bool {
         let h = self.h;
         let rates = self.before.iter_mut().zip(&mut self.predicted);
         let state = self.places.iter_mut().zip(rates);

@@ -4,7 +4,7 @@ use super::list::List;
 use crate::physics::bounce::Arrival;
 use crate::physics::ledger::Ledger;
 use crate::physics::observation::{Discs, Energy, Observation};
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 use crate::physics::state::Books;
 use crate::scene::lattice::Sites;
 

@@ -1,15 +1,15 @@
 //! A soft column on a grid of steps, as an engine.
 
-use super::Column;
+use super::SoftColumn;
 use super::chain::Chain;
 use super::ground::Ground;
 use super::mover::{Moved, Mover};
 use super::stepper::Stepper;
 use crate::physics::grid::{Grid, Settings};
 use crate::physics::ledger::Ledger;
-use crate::physics::moment::Moment;
 use crate::physics::observation::Observation;
-use crate::physics::power_law::Spring;
+use crate::physics::snapshot::Snapshot;
+use crate::physics::spring::Spring;
 use crate::physics::state::{Books, State, weight};
 use crate::physics::{Engine, EngineError, Outcome};
 use crate::scene::Scene;
@@ -36,10 +36,10 @@ impl Md {
         scene: &Scene,
         settings: Settings,
         state: State,
-        column: Column<G>,
+        column: SoftColumn<G>,
         chain: C,
     ) -> Box<dyn Engine> {
-        let Column {
+        let SoftColumn {
             mut ground,
             masses,
             springs,
@@ -68,16 +68,16 @@ impl Md {
         self.note_contacts();
         let (gaps, rates) = (self.gaps(), self.rates());
         if self.state.books.contacts.closed()[0] {
-            let arrival = self.moment(&gaps, &rates).arrival();
+            let arrival = self.snapshot(&gaps, &rates).arrival();
             self.state.books.bounce.begin(arrival);
         }
-        let energy = self.moment(&gaps, &rates).energy();
+        let energy = self.snapshot(&gaps, &rates).energy();
         let error = self.state.ledger_error;
         self.state.books.ledger.open(energy, error);
     }
 
-    pub(super) fn moment<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64]) -> Moment<'a> {
-        Moment {
+    pub(super) fn snapshot<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64]) -> Snapshot<'a> {
+        Snapshot {
             time: self.time(),
             gaps,
             rates,
@@ -171,7 +171,7 @@ impl Engine for Md {
     }
 
     fn observe(&self, into: &mut Observation) {
-        self.moment(&self.gaps(), &self.rates())
+        self.snapshot(&self.gaps(), &self.rates())
             .observe(&self.state.books, self.ledger(), into);
         into.steps = self.steps();
     }
@@ -182,6 +182,6 @@ impl Engine for Md {
             steps: self.steps(),
             ..self.state.books.clone()
         };
-        self.moment(&self.gaps(), &self.rates()).state(books)
+        self.snapshot(&self.gaps(), &self.rates()).state(books)
     }
 }

@@ -1,15 +1,16 @@
-//! Gear's fifth-order predictor–corrector, for forces that depend on velocity.
+//! Gear's fifth-order predictor–corrector, for forces that depend on velocity (Gear 1971; Allen
+//! & Tildesley, Computer Simulation of Liquids, 1987).
 //!
-//! State: the scaled derivatives r_k = (h^k/k!) d^k g/dt^k, k = 0..5. The predictor is
-//! their Taylor series; the corrector adds c_k Δ, Δ = (h²/2) g̈ − r₂.
+//! The state is the scaled derivatives r_k = (h^k/k!) d^k g/dt^k, k = 0..5. The predictor is
+//! their Taylor series. The corrector adds c_k Δ to each, where Δ = (h²/2) g̈ − r₂.
 
 use super::chain::{Chain, Forces};
 use super::ground::Ground;
 use super::lanes::{BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours};
 use super::stepper::{Power, Stepper};
 
-/// Corrector coefficients for a second-order equation whose force depends on
-/// velocity (3/16 in place of 3/20).
+/// Gear's coefficients c_k for a second-order equation. The first is 3/16 where the force
+/// depends on velocity, 3/20 where it does not.
 pub(crate) const CORRECTOR: [f64; 6] = [
     3.0 / 16.0,
     251.0 / 360.0,
@@ -46,7 +47,7 @@ pub(crate) fn predicted<T: Number>([a, b, c, d, e, f]: Derivatives<T>) -> Deriva
     [a + b1, b1 + c2, c2 + d3, d3 + e4, e4 + f, f]
 }
 
-/// Derivatives set right, r₂ being `truth`.
+/// The derivatives corrected, where the forces say that r₂ is `truth`.
 #[inline]
 pub(crate) fn corrected<T: Number>([a, b, c, d, e, f]: Derivatives<T>, truth: T) -> Derivatives<T> {
     let delta = truth - c;

@@ -1,5 +1,5 @@
-//! Springs and dashpots that go with powers of the overlap, Eq. (8); the linear law is
-//! the case β = γ = 0.
+//! Spring and dashpot of a contact under any law: powers of the overlap, Eq. (8). The linear
+//! law is the case β = γ = 0.
 
 use crate::math;
 

@@ -1,4 +1,5 @@
-//! What a lattice looks after between steps: contacts, flights, its end and its numbers.
+//! What is done between the steps of a lattice: contacts are noted, flights are passed through,
+//! its end is looked for, and the ledger is inspected.
 
 use super::engine::Lattice;
 use crate::physics::EngineError;

@@ -1,4 +1,5 @@
-//! What a soft column looks after between steps: contacts, flights, and its numbers.
+//! What is done between the steps of a soft column: contacts are noted, flights are passed
+//! through, and the ledger is inspected.
 
 use super::engine::Md;
 use crate::physics::column::{OVER, nothing_to_come};
@@ -18,7 +19,7 @@ impl Md {
         let floor_is_closed = self.state.books.contacts.closed()[0];
         if floor_is_closed != floor_was_closed {
             let (gaps, rates) = (self.gaps(), self.rates());
-            let arrival = self.moment(&gaps, &rates).arrival();
+            let arrival = self.snapshot(&gaps, &rates).arrival();
             self.state.books.bounce.turn(floor_is_closed, arrival);
         }
         if !self.mover.pulls() && !self.over && self.state.books.contacts.all_open() {
@@ -69,7 +70,7 @@ impl Md {
         }
         // Overdamped contacts of heavy pairs never open, but spend all they have.
         if !self.mover.pulls() && !self.over {
-            let energy = self.moment(&self.gaps(), &self.rates()).energy();
+            let energy = self.snapshot(&self.gaps(), &self.rates()).energy();
             self.over = energy.elastic <= OVER * energy.kinetic && self.nothing_to_come();
         }
         Ok(())
@@ -77,7 +78,7 @@ impl Md {
 
     /// Whether the ledger shows that the integration blows up.
     pub(super) fn lost_the_energy(&self) -> bool {
-        let energy = self.moment(&self.gaps(), &self.rates()).energy();
+        let energy = self.snapshot(&self.gaps(), &self.rates()).energy();
         self.ledger().is_broken(energy, self.least_energy)
     }
 }

@@ -1,35 +1,39 @@
-//! Where a polynomial first falls below zero: nothing missed, grazes included.
+//! Where a polynomial on [0, 1] first falls below zero. No root is missed, not even one
+//! where it only grazes zero.
 //!
-//! Sure signs come from partial sums. If all partial sums Σ_{j≤k} q_j are ≥ 0 then, by
-//! Abel summation, q(s) = (1 − s) Σ_k (Σ_{j≤k} q_j) s^k + q(1) s^{P+1} ≥ 0 on [0, 1].
-//! An interval without a sure sign of q or of −q' is halved.
+//! The sign of a polynomial is sure where its partial sums Q_k = Σ_{j≤k} q_j are all ≥ 0: by
+//! Abel's summation q(s) = (1 − s) Σ_k Q_k s^k + q(1) s^{P+1}, which is ≥ 0 on [0, 1].
+//! So an interval holds no root where that is so of q. It holds at most one where it is so
+//! of −q' or −q'', and Newton's method, bracketed, finds it. All other intervals are bisected.
 
-/// Coefficients of a polynomial.
+/// Number of coefficients of a polynomial: those of a Taylor series.
 pub(super) const ROWS: usize = 25;
 
-/// Halvings after which a polynomial that just touches zero counts as crossing it.
+/// Bisections after which an interval is a point. A polynomial that is below zero at its end
+/// crosses zero there.
 const DEEPEST: u32 = 44;
 
-/// Part of a polynomial's largest coefficient that a coefficient must be to matter.
+/// Coefficients below this part of the largest one are left out.
 const NOTHING: f64 = 1e-20;
 
-/// √ε of a number.
+/// √ε of a double: a Newton step of this part of the root is the last.
 const HALF_THE_DIGITS: f64 = 1.5e-8;
 
 /// A polynomial on [0, 1].
 pub(super) type Polynomial = [f64; ROWS];
 
-/// The first s in [0, 1] at which `q`, not below zero before, falls below; None if it
-/// does not. A polynomial that starts at zero and falls does so at 0.
+/// The first s in [0, 1] at which `q`, which is not below zero at 0, falls below zero; None
+/// if it does not. A polynomial that is zero at 0 and falls from there does so at 0.
 pub(super) fn first_below_zero(q: &Polynomial) -> Option<f64> {
     match q.iter().find(|&&c| c != 0.0) {
         None => None,
-        // What is at zero is decided by where it goes.
+        // At zero the first coefficient that is not says where it goes.
         Some(&leading) if q[0] <= 0.0 && leading < 0.0 => Some(0.0),
         Some(_) => search(q, 0.0, 1.0, DEEPEST),
     }
 }
 
+/// The first fall of `q`, which is a polynomial on the interval of this width from `from` on.
 fn search(q: &Polynomial, from: f64, width: f64, depth: u32) -> Option<f64> {
     let q = &q[..significant(q)];
     if sums_stay_above_zero(q.iter().copied()) {
@@ -49,7 +53,7 @@ fn search(q: &Polynomial, from: f64, width: f64, depth: u32) -> Option<f64> {
     search(&left, from, half, depth - 1).or_else(|| search(&right, from + half, half, depth - 1))
 }
 
-/// How many coefficients matter at all on [0, 1].
+/// How many coefficients are left when negligible last ones are left out.
 fn significant(q: &Polynomial) -> usize {
     let largest = q.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
     let matters = |c: &f64| c.abs() > NOTHING * largest;
@@ -68,13 +72,13 @@ fn sums_stay_above_zero(coefficients: impl Iterator<Item = f64>) -> bool {
     true
 }
 
-/// Whether q' ≤ 0 on [0, 1] for sure.
+/// Whether q' ≤ 0 on [0, 1] for sure. Then q has at most one root there.
 fn falls(q: &[f64]) -> bool {
     let slope = q.iter().enumerate().skip(1);
     sums_stay_above_zero(slope.map(|(k, c)| -(k as f64) * c))
 }
 
-/// Whether q'' ≤ 0 on [0, 1] for sure. From above zero it then crosses once or never.
+/// Whether q'' ≤ 0 on [0, 1] for sure. Then q, which starts above zero, has at most one root.
 fn is_concave(q: &[f64]) -> bool {
     let curvature = q.iter().enumerate().skip(2);
     sums_stay_above_zero(curvature.map(|(k, c)| -((k * (k - 1)) as f64) * c))
@@ -118,8 +122,8 @@ fn at(q: &[f64], s: f64) -> (f64, f64) {
     })
 }
 
-/// The root of a polynomial that starts above zero and crosses it once on [0, 1] or
-/// never: Newton's method, kept inside the interval that is known to hold the root.
+/// The root on [0, 1] of a polynomial that starts above zero and has at most one there:
+/// Newton's method, safeguarded by bisection of the bracket.
 fn root(q: &[f64]) -> Option<f64> {
     let (mut low, mut high) = (0.0, 1.0);
     let mut s = 1.0;
@@ -133,7 +137,7 @@ fn root(q: &[f64]) -> Option<f64> {
         if (newton - s).abs() <= HALF_THE_DIGITS * s {
             return Some(newton);
         }
-        // Without a slope this is not a number, and not inside.
+        // Where the slope is zero `newton` is not a number, and this is false.
         let next = if newton > low && newton < high {
             newton
         } else {

@@ -1,57 +1,57 @@
-//! A stack at rest on the floor, for as long as nothing in it can open.
+//! The motion of a stack on the floor while all its contacts stay closed.
 //!
-//! Its overlaps are a steady answer to weight and plate, known in closed form, and a
-//! transient that obeys the same equations without drive. The transient's energy V can
-//! only fall, so no contact i opens while its steady overlap exceeds √(2V/K_i). Until
-//! then nothing needs to be looked at: the transient is taken on by powers of its
-//! propagator, whatever the time.
+//! The gaps are the sum of two motions. One is the steady answer to weight and plate, known
+//! in closed form. The other is a transient that obeys the same equations without weight and
+//! plate. Its energy V can only fall, and moves contact i by at most √(2V/K_i). So no contact
+//! opens while its steady overlap exceeds that. Until then the transient is propagated by
+//! powers of a matrix, at a cost that does not grow with the time.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::crossing::ROWS;
-use super::series::{Coupling, PHASE, Series, expand, lanes};
+use super::polynomial::ROWS;
+use super::taylor::{Coupling, PHASE, TaylorSeries, expand, lanes};
 use crate::math;
 use crate::physics::plate::Plate;
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 
-/// Longest rest planned at once with a transient, 2^16 steps of a series.
+/// Longest rest planned at once with a transient, as a power of two of the propagator's step.
 const POWERS: u32 = 16;
-/// Part of the steady overlap kept in reserve, against rounding.
+/// Part of the steady overlap that is kept in reserve against rounding.
 const RESERVE: f64 = 1e-9;
-/// A transient of less energy, over the elastic energy of the steady overlaps, is none:
-/// it is their rounding.
+/// A transient with less than this part of the elastic energy of the steady overlaps is set
+/// to zero: it is their rounding, 10⁻¹⁴ of the overlaps.
 const STILL: f64 = 1e-28;
-/// Largest stack whose transient is followed: its propagators have (2·64)² entries each.
+/// Beads of the largest stack whose transient is propagated: a propagator has (2·64)² entries.
 pub(super) const LARGEST: usize = 64;
 
-/// A stack of beads that can rest: its steady answer and its propagator.
-#[derive(Debug)]
+/// A stack of beads that can rest: its steady answer and the propagators of its transient.
+#[derive(Debug, Clone)]
 pub(super) struct Stack {
     springs: Vec<Spring>,
     masses: Vec<f64>,
     /// Overlaps under the stack's own weight, m.
     weight: Vec<f64>,
-    /// Complex amplitude of each gap's answer to the plate: Im(X e^{iθ}), m.
+    /// Complex amplitude X, m, of each gap's answer to the plate, which is Im(X e^{iθ}).
     answer: Vec<Complex<f64>>,
     /// 2π times the plate's frequency, 1/s.
     omega: f64,
-    /// Step of the propagator, s.
+    /// Step of the first propagator, s.
     h: f64,
     coupling: Coupling,
-    /// Propagators over h, 2h, 4h, ... of gaps and rates times h.
+    /// Propagators of gaps and rates times h over h, 2h, 4h, ..., as far as they were needed.
     powers: Vec<DMatrix<f64>>,
 }
 
-/// A stack that rests.
+/// How a stack moves apart from its steady answer, from the beginning of a rest on.
 #[derive(Debug, Clone)]
-pub(super) struct Rest {
-    /// Gaps, then rates times h, apart from the steady answer.
-    transient: DVector<f64>,
-    /// Energy of the transient, m²/s².
+pub(super) struct Transient {
+    /// Gaps less the steady answer, then their rates times h.
+    value: DVector<f64>,
+    /// Its energy V, m²/s².
     energy: f64,
     /// Phase of the plate.
     phase: f64,
-    /// How long it lasts for sure, s.
+    /// How long all contacts stay closed for sure, s.
     pub lasts: f64,
 }
 
@@ -72,7 +72,7 @@ impl Stack {
         for i in 0..m {
             coupling.above[i] = 1.0 / masses[i];
             coupling.below[i] = if i == 0 { 0.0 } else { 1.0 / masses[i - 1] };
-            // Gershgorin, with room to spare.
+            // Gershgorin by columns: both neighbours together have what the diagonal has.
             let both = 2.0 * (coupling.above[i] + coupling.below[i]);
             fastest.0 = fastest.0.max(both * springs[i].stiffness);
             fastest.1 = fastest.1.max(both * springs[i].dashpot);
@@ -90,7 +90,12 @@ impl Stack {
         }
     }
 
-    /// The propagator over h.
+    /// Beads of the stack.
+    pub fn beads(&self) -> usize {
+        self.masses.len()
+    }
+
+    /// The propagator over h: what a step makes of each unit vector.
     fn propagator(&self) -> DMatrix<f64> {
         let size = 2 * self.masses.len();
         let columns: Vec<_> = (0..size)
@@ -102,7 +107,7 @@ impl Stack {
         DMatrix::from_columns(&columns)
     }
 
-    /// Takes a transient on by `part` ≤ 1 steps, with a series.
+    /// A transient `part` ≤ 1 steps later, by its Taylor series.
     fn short(&self, transient: &DVector<f64>, part: f64) -> DVector<f64> {
         let m = self.masses.len();
         let lanes = lanes(m);
@@ -120,10 +125,10 @@ impl Stack {
             rows[i] = transient[i];
             rows[lanes + i] = transient[m + i] * part;
         }
-        let mut room = vec![0.0; lanes + 2];
-        expand(&mut rows, &coupling, None, &mut room);
+        let mut forces = vec![0.0; lanes + 2];
+        expand(&mut rows, &coupling, None, &mut forces);
         let (mut gaps, mut rates) = (vec![0.0; lanes], vec![0.0; lanes]);
-        Series::new(&rows, lanes, 1.0).evaluate(1.0, &mut gaps, &mut rates);
+        TaylorSeries::new(rows, lanes, 1.0).evaluate(1.0, &mut gaps, &mut rates);
         let slopes = rates[..m].iter().map(|rate| rate / part);
         DVector::from_iterator(2 * m, gaps[..m].iter().copied().chain(slopes))
     }
@@ -140,26 +145,32 @@ impl Stack {
         })
     }
 
-    /// The rest of a stack with these gaps, m, and rates, m/s, if it lasts for sure for
-    /// longer than a few steps, and `most` s at most.
-    pub fn rest(&mut self, gaps: &[f64], rates: &[f64], phase: f64, most: f64) -> Option<Rest> {
+    /// The transient of a stack with these gaps, m, and rates, m/s, when the plate is at
+    /// `phase`, for at most `most` s; None if it may stay closed for a few steps only.
+    pub fn rest(
+        &mut self,
+        gaps: &[f64],
+        rates: &[f64],
+        phase: f64,
+        most: f64,
+    ) -> Option<Transient> {
         let m = self.masses.len();
         let steady = self.steady(phase);
         let (y, u): (Vec<_>, Vec<_>) = steady
             .zip(gaps.iter().zip(rates))
             .map(|((x, v), (g, w))| (g - x, (w - v) * self.h))
             .unzip();
-        let mut rest = Rest {
-            transient: DVector::from_iterator(2 * m, y.into_iter().chain(u)),
+        let mut rest = Transient {
+            value: DVector::from_iterator(2 * m, y.into_iter().chain(u)),
             energy: 0.0,
             phase,
             lasts: most,
         };
-        rest.energy = self.energy(&rest.transient);
+        rest.energy = self.energy(&rest.value);
         let weights = self.weight.iter().zip(&self.springs);
         let still: f64 = weights.map(|(x, spring)| spring.stiffness * x * x).sum();
         if rest.energy <= STILL * still {
-            rest.transient.fill(0.0);
+            rest.value.fill(0.0);
             rest.energy = 0.0;
         } else if m > LARGEST {
             return None;
@@ -185,12 +196,13 @@ impl Stack {
         Some(rest)
     }
 
-    /// How long contact `i` stays closed for sure, s, with a transient of energy V.
+    /// How long contact `i` stays closed for sure, s, from `phase` of the plate on, with a
+    /// transient of this energy.
     fn sure(&self, i: usize, energy: f64, phase: f64) -> f64 {
         let most = (2.0 * energy / self.springs[i].stiffness).sqrt();
         let spare = self.weight[i] * (1.0 - RESERVE) - most;
         let (size, lead) = math::polar(self.answer[i]);
-        // Closed while |X| sin(θ + φ) is less than what is to spare.
+        // It is closed while its answer |X| sin(θ + φ) is less than `spare`.
         let sine = spare / size;
         if spare <= 0.0 {
             return 0.0;
@@ -219,13 +231,14 @@ impl Stack {
         energy
     }
 
-    /// The transient a time `tau` after the rest began.
-    pub fn later(&self, rest: &Rest, tau: f64) -> DVector<f64> {
+    /// The transient a time `tau` after the rest began: the part of a step by a series, whole
+    /// steps by the propagators of their binary digits.
+    pub fn later(&self, rest: &Transient, tau: f64) -> DVector<f64> {
         if rest.energy == 0.0 {
-            return rest.transient.clone();
+            return rest.value.clone();
         }
         let steps = tau / self.h;
-        let mut transient = self.short(&rest.transient, steps.fract());
+        let mut transient = self.short(&rest.value, steps.fract());
         for (doubling, power) in self.powers.iter().enumerate() {
             let size = math::exp2(doubling as f64);
             if (steps.floor() / size) % 2.0 >= 1.0 {
@@ -239,7 +252,7 @@ impl Stack {
     /// `now`.
     pub fn at(
         &self,
-        rest: &Rest,
+        rest: &Transient,
         tau: f64,
         now: &DVector<f64>,
         gaps: &mut [f64],
@@ -253,9 +266,10 @@ impl Stack {
         }
     }
 
-    /// What the contacts lose in a time `tau` after the rest began, m²/s²: all that the
-    /// transient, `now`, has less, and what it costs to follow the plate.
-    pub fn lost(&self, rest: &Rest, tau: f64, now: &DVector<f64>) -> f64 {
+    /// Energy that the contacts lose in a time `tau` after the rest began, m²/s², the
+    /// transient then being `now`: what the transient has lost, and what the dashpots take
+    /// from the steady answer, ∫ Σ c Ẋ² dt.
+    pub fn lost(&self, rest: &Transient, tau: f64, now: &DVector<f64>) -> f64 {
         let spent = rest.energy - self.energy(now);
         let follow = |(x, spring): (&Complex<f64>, &Spring)| {
             let (size, lead) = math::polar(x * self.omega);
@@ -280,14 +294,15 @@ impl Stack {
 /// The stack's answer to a plate: amplitudes of its gaps, relative to e^{iθ}.
 ///
 /// With U_i the movement of bead i over the plate, −ω²m_iU_i = F_i − F_{i+1} + m_iAω² and
-/// F_i = −(K_i + iωc_i)X_i. Upwards from an unknown X₀ every F is affine in it; the free
-/// top, F = 0, gives X₀, and the forces follow downwards without loss of digits.
+/// F_i = −(K_i + iωc_i)X_i. Upwards from an unknown X₀, every F is a constant plus a multiple
+/// of X₀. There is no force above the top bead, which gives X₀. The forces are then added up
+/// from the top, without loss of digits.
 fn answer(springs: &[Spring], masses: &[f64], plate: Plate) -> Vec<Complex<f64>> {
     type C = Complex<f64>;
     let (zero, one) = (C::new(0.0, 0.0), C::new(1.0, 0.0));
     let squared = plate.omega * plate.omega;
     let give = |spring: &Spring| C::new(spring.stiffness, plate.omega * spring.dashpot);
-    // Numbers as (constant, factor of X₀).
+    // Each as (constant, multiple of X₀).
     let mut force = (zero, -give(&springs[0]));
     let mut movement = (zero, one);
     let mut movements = vec![movement];

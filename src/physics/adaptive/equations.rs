@@ -1,24 +1,27 @@
-//! The contacts of a column under a power law, and the rates of its motion.
+//! The equations of motion of a column under a power law.
 
 use crate::physics::column::reduced_mass;
 use crate::physics::flight::Ground;
-use crate::physics::power_law::Spring;
+use crate::physics::spring::Spring;
 
-/// A column: its contacts and masses. The state is laid out as gaps, rates, energy lost
-/// in contacts, work of the plate.
-pub(super) struct Chain {
+/// The equations of a column. Its state is laid out as gaps, rates, energy lost in contacts,
+/// work of the plate.
+pub(super) struct Equations {
     pub springs: Vec<Spring>,
     pub attraction: bool,
+    /// 1/m of each bead.
     inverse: Vec<f64>,
+    /// Reduced mass of each contact.
     reduced: Vec<f64>,
-    /// What gravity does to a rate in a contact time, m/s.
+    /// What gravity changes a rate by in a contact time, m/s.
     fall: f64,
 }
 
-/// Motion below this part of the largest one in the column is not resolved further.
+/// A contact's speed counts as no less than this part of the largest in the column: slower
+/// motion is not resolved further.
 const FAINT: f64 = 1e-6;
 
-impl Chain {
+impl Equations {
     pub fn new(springs: Vec<Spring>, masses: &[f64], attraction: bool, fall: f64) -> Self {
         Self {
             springs,
@@ -34,10 +37,10 @@ impl Chain {
         self.springs.len()
     }
 
-    /// Force of a contact at gap `g` with rate `w`, and the power that it loses.
+    /// Force of contact `i` at gap `g` with rate `w`, m/s², and the power that it loses, m²/s³.
     fn push(&self, i: usize, g: f64, w: f64) -> (f64, f64) {
         let spring = &self.springs[i];
-        // A contact that is about to end may be tried out beyond its end.
+        // A step to the end of a contact may try gaps beyond it.
         let x = (-g).max(0.0);
         let (elastic, dashpot) = spring.elastic_and_dashpot(x);
         let full = elastic - dashpot * w;
@@ -45,7 +48,8 @@ impl Chain {
         (force, (elastic - force) * w)
     }
 
-    /// Writes the derivative of `y` at time `t` of the ground's, `closed` being the contacts.
+    /// Writes the derivative of `y` at `t`, s from the epoch. `closed` says which gaps are
+    /// contacts.
     pub fn rate<G: Ground>(&self, ground: &G, t: f64, closed: &[bool], y: &[f64], dy: &mut [f64]) {
         let n = self.len();
         let (gaps, rest) = y.split_at(n);
@@ -66,7 +70,7 @@ impl Chain {
         if closed[0] && G::MOVES {
             books[1] = pushed[0] * ground.plate(t).velocity();
         }
-        // From forces to accelerations of the beads, and to those of the gaps below them.
+        // Forces become accelerations of the beads, and these those of the gaps below them.
         let mut below = 0.0;
         for i in 0..n {
             let above = if i + 1 < n { pushed[i + 1] } else { 0.0 };
@@ -79,15 +83,15 @@ impl Chain {
         }
     }
 
-    /// Energy of the contacts' own motion at these speeds, m²/s².
+    /// Kinetic energy of the contacts' own motions at these speeds, m²/s².
     pub fn energy(&self, speeds: &[f64]) -> f64 {
         let each = speeds.iter().zip(&self.reduced);
         each.map(|(speed, reduced)| 0.5 * reduced * speed * speed)
             .sum()
     }
 
-    /// The speed of each contact's own motion, from what it moves with and what it stores,
-    /// but no less than a faint part of the liveliest, which is returned.
+    /// Writes the speed of each contact's own motion: its rate, and the rate that its elastic
+    /// energy could give it. None is below a [`FAINT`] part of the largest, which is returned.
     pub fn speeds(&self, closed: &[bool], y: &[f64], into: &mut [f64]) -> f64 {
         let n = self.len();
         let mut largest = self.fall;
@@ -100,7 +104,7 @@ impl Chain {
             into[i] = y[n + i].abs() + stored.sqrt();
             largest = largest.max(into[i]);
         }
-        // The square of an even fainter one would underflow.
+        // The square of less would underflow.
         let least = (FAINT * largest).max(1e-150);
         for speed in into {
             *speed = speed.max(least);

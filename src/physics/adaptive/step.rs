@@ -1,26 +1,26 @@
-//! One step of a column under a power law: to where the tolerance allows, or to the
-//! first beginning or end of a contact.
+//! One step of a column under a power law: as far as the tolerance allows, or to the first
+//! beginning or end of a contact.
 
-use super::chain::Chain;
-use super::crossing::{Course, Fall, Jet};
+use super::equations::Equations;
 use super::extrapolation::Extrapolation;
+use super::hermite::{Crossing, HermiteQuintic, Jet};
 use crate::math;
 use crate::physics::flight::{Ground, closing};
 
-/// Part of the scene's tolerance that a step may use up: a contact takes many.
+/// Part of the scene's tolerance that a step may use up, since a contact takes many.
 const SHARE: f64 = 0.1;
-/// Attempts at one step.
+/// Attempts at one step at most.
 const TRIES: u32 = 100;
-/// Contact times that a step is at most.
+/// Longest step, in contact times.
 const LONGEST: f64 = 10.0;
 
 /// A step that has been computed, but not taken yet.
 pub(super) struct Ahead {
-    /// How long it is, s; infinite for a flight without an end.
+    /// How long it is, s; infinite for a flight that never ends.
     pub h: f64,
-    /// Gaps and rates at its end, energy lost and work of the plate during it.
+    /// Gaps and rates at its end, and energy lost and work of the plate in it.
     pub y: Vec<f64>,
-    /// The gap that begins or ceases to be a contact at its end.
+    /// The gap whose contact begins or ends at its end.
     pub event: Option<usize>,
     /// Whether all beads fly.
     pub flight: bool,
@@ -31,42 +31,55 @@ pub(super) struct Ahead {
 /// A column that moves.
 pub(super) struct Motion<G> {
     pub ground: G,
-    pub chain: Chain,
+    pub equations: Equations,
     /// Gaps, rates, and two zeros for what a step enters in the ledger.
     pub y: Vec<f64>,
     /// Which gaps are contacts.
     pub closed: Vec<bool>,
-    /// Contact time that lengths of steps are compared with, s.
+    /// The scene's contact time, s, against which steps are long or short.
     pub contact_time: f64,
     tolerance: f64,
-    /// The first step of a contact, s: so short that what is not smooth in it is lost in
-    /// the tolerance.
+    /// The first step of a contact, s. It is so short that the power of time in it that is
+    /// not smooth is below the tolerance.
     first: f64,
+    /// The step to try next, s.
     next: f64,
+    /// Speed of each contact's own motion, m/s.
     speeds: Vec<f64>,
-    /// Width of the gap at which a contact is over, m: lost in the tolerance, but wider
-    /// than the errors of contacts that hardly move yet.
+    /// A contact ends when its gap is this wide, m. That is below the tolerance, but above the
+    /// errors of contacts that hardly move yet.
     parted: f64,
+    /// The error that each increment may have.
     allowed: Vec<f64>,
-    tool: Extrapolation,
+    method: Extrapolation,
+    /// The column at the end of the step last tried, and its derivative there.
     end: Vec<f64>,
     end_slope: Vec<f64>,
 }
 
 /// What happens first within a step.
 enum First {
+    /// No contact begins or ends.
     Nothing,
+    /// One may, but only a shorter step can tell.
     Unclear,
-    /// This gap begins or ceases to be a contact, at that part of the step.
+    /// The contact of this gap begins or ends, at this part of the step.
     Change(usize, f64),
 }
 
 impl<G: Ground> Motion<G> {
-    pub fn new(ground: G, chain: Chain, y: Vec<f64>, tolerance: f64, contact_time: f64) -> Self {
-        let n = chain.len();
+    pub fn new(
+        ground: G,
+        equations: Equations,
+        y: Vec<f64>,
+        tolerance: f64,
+        contact_time: f64,
+    ) -> Self {
+        let n = equations.len();
         let tolerance = SHARE * tolerance;
-        // The lowest power of time that is not whole, in units of the contact time.
-        let spring = chain.springs[0];
+        // A new contact has x = wτ: its force grows as τ^γ and τ^(1+β), its rate by these powers.
+        // The lowest that is not whole is not smooth.
+        let spring = equations.springs[0];
         let roughness = [1.0 + spring.gamma, 2.0 + spring.beta];
         let roughness = roughness.into_iter().filter(|p| p.fract() != 0.0);
         let roughness = roughness.fold(f64::INFINITY, f64::min);
@@ -81,23 +94,24 @@ impl<G: Ground> Motion<G> {
             speeds: vec![0.0; n],
             parted: 0.0,
             allowed: vec![0.0; 2 * n + 1],
-            tool: Extrapolation::new(y.len()),
+            method: Extrapolation::new(y.len()),
             end: y.clone(),
             end_slope: y.clone(),
             y,
-            chain,
+            equations,
         }
     }
 
+    /// The rates of the gaps, m/s.
     pub fn rates(&self) -> &[f64] {
-        let n = self.chain.len();
+        let n = self.equations.len();
         &self.y[n..2 * n]
     }
 
-    /// Makes contacts of what overlaps, and none of what has parted.
+    /// Finds which gaps are contacts now.
     pub fn settle(&mut self) {
         self.measure();
-        let n = self.chain.len();
+        let n = self.equations.len();
         for i in 0..n {
             let (g, w) = (self.y[i], self.y[n + i]);
             self.closed[i] = if self.closed[i] {
@@ -108,14 +122,17 @@ impl<G: Ground> Motion<G> {
         }
     }
 
+    /// Finds how fast each contact moves, and so what errors it may have.
     fn measure(&mut self) {
-        let least = self.chain.speeds(&self.closed, &self.y, &mut self.speeds);
+        let least = self
+            .equations
+            .speeds(&self.closed, &self.y, &mut self.speeds);
         self.parted = self.tolerance * least * self.contact_time;
     }
 
     /// Puts the column at the end of a step.
     pub fn take(&mut self, ahead: Ahead) {
-        let n = self.chain.len();
+        let n = self.equations.len();
         self.y = ahead.y;
         self.y[2 * n..].fill(0.0);
         self.next = ahead.next;
@@ -127,7 +144,10 @@ impl<G: Ground> Motion<G> {
         }
     }
 
-    /// The next step from time `now` of the ground's; the last length tried when there is none.
+    /// The next step, from `now`, s from the epoch.
+    ///
+    /// # Errors
+    /// The last length tried, s, when none is good.
     pub fn look_ahead(&mut self, now: f64) -> Result<Ahead, f64> {
         if !self.closed.contains(&true) {
             return Ok(self.flight(now));
@@ -149,25 +169,30 @@ impl<G: Ground> Motion<G> {
         Err(h)
     }
 
-    /// Tries a step of `h` s; whether it is within the tolerance, and a better length.
+    /// Tries a step of `h` s from `now`: whether it is good, and the length to try next, s.
     fn attempt(&mut self, now: f64, h: f64) -> (bool, f64) {
-        let n = self.chain.len();
+        let n = self.equations.len();
         for i in 0..n {
             let overlap = if self.closed[i] { self.y[i].abs() } else { 0.0 };
             let speed = self.speeds[i];
             self.allowed[i] = self.tolerance * (overlap + h * speed);
             self.allowed[n + i] = self.tolerance * speed;
         }
-        self.allowed[2 * n] = self.tolerance * self.chain.energy(&self.speeds);
-        let (chain, ground, closed) = (&self.chain, &self.ground, &self.closed);
+        self.allowed[2 * n] = self.tolerance * self.equations.energy(&self.speeds);
+        let (equations, ground, closed) = (&self.equations, &self.ground, &self.closed);
         let rate = |tau: f64, y: &[f64], dy: &mut [f64]| {
-            chain.rate(ground, now + tau, closed, y, dy);
+            equations.rate(ground, now + tau, closed, y, dy);
         };
-        let verdict = self.tool.step(&rate, &self.y, h, &self.allowed);
-        for ((end, y), increment) in self.end.iter_mut().zip(&self.y).zip(self.tool.increment()) {
+        let attempt = self.method.step(&rate, &self.y, h, &self.allowed);
+        for ((end, y), increment) in self
+            .end
+            .iter_mut()
+            .zip(&self.y)
+            .zip(self.method.increment())
+        {
             *end = y + increment;
         }
-        (verdict.good, verdict.next)
+        (attempt.good, attempt.next)
     }
 
     fn step(&self, h: f64, next: f64, event: Option<usize>) -> Ahead {
@@ -180,11 +205,11 @@ impl<G: Ground> Motion<G> {
         }
     }
 
-    /// Value, slope and curvature over a step of `h` s of what falls to zero when gap `i`
-    /// changes: the gap until a contact begins, what it lacks of [`Motion::parted`] until
-    /// one ends.
+    /// What falls to zero when the contact of gap `i` begins or ends, with slope and curvature
+    /// in units of a step of `h` s. For an open gap that is the gap. For a contact it is what
+    /// the gap lacks of [`Motion::parted`].
     fn jet(&self, y: &[f64], slope: &[f64], i: usize, h: f64) -> Jet {
-        let n = self.chain.len();
+        let n = self.equations.len();
         let (g, w, a) = (y[i], y[n + i], slope[n + i]);
         if self.closed[i] {
             [self.parted - g, -h * w, -h * h * a]
@@ -193,24 +218,24 @@ impl<G: Ground> Motion<G> {
         }
     }
 
-    /// What happens first in the step of `h` s last tried, to another gap than `known`.
+    /// What happens first in the step of `h` s last tried, leaving out gap `known`.
     fn first_change(&mut self, now: f64, h: f64, known: Option<usize>) -> First {
         let mut slope = std::mem::take(&mut self.end_slope);
-        self.chain
+        self.equations
             .rate(&self.ground, now + h, &self.closed, &self.end, &mut slope);
         let mut first = First::Nothing;
         let mut earliest = f64::INFINITY;
-        for i in (0..self.chain.len()).filter(|&i| Some(i) != known) {
-            let course = Course::new(
-                self.jet(&self.y, self.tool.first(), i, h),
+        for i in (0..self.equations.len()).filter(|&i| Some(i) != known) {
+            let gap = HermiteQuintic::new(
+                self.jet(&self.y, self.method.first(), i, h),
                 self.jet(&self.end, &slope, i, h),
             );
-            match course.fall() {
-                Fall::At(at) if at < earliest => {
+            match gap.fall() {
+                Crossing::At(at) if at < earliest => {
                     earliest = at;
                     first = First::Change(i, at);
                 }
-                Fall::Perhaps
+                Crossing::Perhaps
                     if matches!(first, First::Nothing) && h > 1e-6 * self.contact_time =>
                 {
                     first = First::Unclear;
@@ -222,8 +247,8 @@ impl<G: Ground> Motion<G> {
         first
     }
 
-    /// The step to the change of gap `i`, which is `h` s away or nearly so and within
-    /// `most`; or to another gap's, if that comes first.
+    /// The step to the change of gap `i`, or of another that comes first. `h` is about where it
+    /// is, s, and it is not beyond `most`. Newton's method finds the length.
     fn step_to(&mut self, now: f64, mut i: usize, mut h: f64, most: f64, next: f64) -> Ahead {
         const ROUNDING: f64 = 4.0 * f64::EPSILON;
         for _ in 0..16 {
@@ -236,7 +261,7 @@ impl<G: Ground> Motion<G> {
             }
             let [value, slope, _] = self.jet(&self.end, &self.end_slope, i, 1.0);
             let change = -value / slope;
-            // Where it only grazes zero, the place is as good as it gets.
+            // Where it only grazes zero there is no slope, and no better place.
             let small = change.abs() <= ROUNDING * h;
             if slope >= 0.0 || small || !(0.0..=most).contains(&(h + change)) {
                 break;
@@ -245,7 +270,7 @@ impl<G: Ground> Motion<G> {
         }
         self.attempt(now, h);
         let mut ahead = self.step(h, next, Some(i));
-        // Rounding must not undo what the step was made for.
+        // The gap must be on the right side of zero whatever the rounding.
         ahead.y[i] = if self.closed[i] {
             ahead.y[i].max(self.parted)
         } else {
@@ -254,9 +279,9 @@ impl<G: Ground> Motion<G> {
         ahead
     }
 
-    /// The flight to the next touch.
+    /// The flight to the next contact.
     fn flight(&self, now: f64) -> Ahead {
-        let (gaps, rates) = (&self.y[..self.chain.len()], self.rates());
+        let (gaps, rates) = (&self.y[..self.equations.len()], self.rates());
         let mut event = (f64::INFINITY, 0);
         for (i, (&g, &w)) in gaps.iter().zip(rates).enumerate() {
             let touch = if i == 0 {
@@ -284,9 +309,9 @@ impl<G: Ground> Motion<G> {
         ahead
     }
 
-    /// All gaps and rates `tau` s later if no contact acts.
+    /// The column `tau` s after `now`, if no contact acts until then.
     fn flown(&self, now: f64, tau: f64) -> Vec<f64> {
-        let n = self.chain.len();
+        let n = self.equations.len();
         let mut y = self.y.clone();
         for i in 1..n {
             y[i] += y[n + i] * tau;
@@ -295,7 +320,7 @@ impl<G: Ground> Motion<G> {
         y
     }
 
-    /// The column `tau` s later, within the step ahead.
+    /// The column `tau` s after `now`, within the step ahead.
     pub fn glimpse(&mut self, now: f64, tau: f64, flight: bool) -> Vec<f64> {
         if flight {
             return self.flown(now, tau);

@@ -1,15 +1,16 @@
-//! One moment of a column: what follows from gaps and rates.
+//! A column at one time: the energies, the centre of mass and the observation that follow from
+//! its gaps and rates.
 
 use super::bounce::Arrival;
 use super::course::Course;
 use super::ledger::Ledger;
 use super::observation::{Energy, Observation};
 use super::plate::Plate;
-use super::power_law::Spring;
+use super::spring::Spring;
 use super::state::{Books, Depth, State};
 
-/// Gaps, rates and all that gives them meaning.
-pub(crate) struct Moment<'a> {
+/// The gaps and rates of a column, and all that they need to mean something.
+pub(crate) struct Snapshot<'a> {
     /// Simulated time, s.
     pub time: f64,
     /// Gaps, m.
@@ -26,7 +27,7 @@ pub(crate) struct Moment<'a> {
     pub springs: &'a [Spring],
 }
 
-impl Moment<'_> {
+impl Snapshot<'_> {
     /// Stored energies; the ledger's entries are left at 0.
     pub fn energy(&self) -> Energy {
         let (mut z, mut v) = self.plate.motion();

@@ -1,25 +1,28 @@
-//! The Taylor series of a cluster: between contact changes its gaps obey a linear
-//! system with constant coefficients, so the series follows by recurrence.
+//! The Taylor series of a cluster in time.
 //!
-//! Coefficients are scaled: gap(τ) = Σ b_k s^k with s = τ/h. They lie in rows, one a
-//! power, padded to a multiple of four gaps, so that loops over gaps run in lanes.
+//! Between contact changes the gaps obey a linear system with constant coefficients. So a
+//! recurrence gives each coefficient from the two before it.
+//!
+//! Coefficients are scaled: gap(τ) = Σ b_k s^k with s = τ/h. There is a row of them a power
+//! of s. Rows are padded to a multiple of four gaps, so that loops over gaps run in lanes of
+//! the processor's vectors.
 
 #![expect(
     clippy::inline_always,
     reason = "loops over gaps run in lanes only where their number is known when compiled"
 )]
 
-use super::crossing::{Polynomial, ROWS};
-use crate::physics::power_law::Spring;
+use super::polynomial::{Polynomial, ROWS};
+use crate::physics::spring::Spring;
 
-/// Largest phase ρh of one step, ρ the fastest rate of the cluster: the terms left out
-/// are below 2²⁵/25!, 2·10⁻¹⁸ of the motion.
+/// Largest phase ρh of one step, ρ being the fastest rate of the cluster. The first term
+/// left out is at most 2²⁵/25! = 2·10⁻¹⁸ of the motion.
 pub(super) const PHASE: f64 = 2.0;
 
-/// Part of the motion that the last terms may be where a series is used beyond s = 1.
+/// Largest part of the motion that a term may be and be left out.
 pub(super) const NEGLIGIBLE: f64 = 1e-17;
 
-/// What a cluster's gaps are coupled by, a value a gap; all padded with zeros.
+/// What couples the gaps of a cluster, a value a gap, padded with zeros.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Coupling {
     /// K h², zero where no force acts.
@@ -33,7 +36,7 @@ pub(super) struct Coupling {
 }
 
 impl Coupling {
-    /// Room for `lanes` gaps, all zero.
+    /// Makes it zeros for `lanes` gaps.
     pub fn clear(&mut self, lanes: usize) {
         let rows = [
             &mut self.stiffness,
@@ -48,12 +51,12 @@ impl Coupling {
     }
 }
 
-/// Gaps padded to whole lanes.
+/// The number of gaps, padded to a multiple of four.
 pub(super) fn lanes(gaps: usize) -> usize {
     gaps.next_multiple_of(4)
 }
 
-/// Runs `$body` with the number of lanes known to the compiler where it is small.
+/// Calls `$f` with the number of lanes, which the compiler knows where it is small.
 macro_rules! in_lanes {
     ($lanes:expr, $f:ident ( $($argument:expr),* )) => {
         match $lanes {
@@ -66,9 +69,11 @@ macro_rules! in_lanes {
     };
 }
 
-/// Fills in rows 2.. from rows 0 and 1 (gap, and rate times h). `pull` are the Taylor
-/// coefficients of the lowest gap's own acceleration times h², if it is the cluster's
-/// first; `force` (of length lanes + 2) is room to work in.
+/// Fills in the rows from 2 on. Rows 0 and 1 are given: gap, and rate times h.
+///
+/// `pull` are the Taylor coefficients of what gravity and plate accelerate the cluster's
+/// first gap by, times h², where that is the column's lowest. `force`, of length
+/// lanes + 2, is a buffer.
 pub(super) fn expand(
     b: &mut [f64],
     coupling: &Coupling,
@@ -113,31 +118,36 @@ fn expand_lanes(
 }
 
 /// The series of a cluster.
-pub(super) struct Series<'a> {
+#[derive(Debug)]
+pub(super) struct TaylorSeries {
     /// Rows of coefficients.
-    b: &'a [f64],
+    b: Vec<f64>,
     lanes: usize,
     /// Unit of time, s.
-    h: f64,
+    pub h: f64,
 }
 
-impl<'a> Series<'a> {
-    /// The series of `lanes` gaps whose coefficients begin with `rows`.
-    pub fn new(rows: &'a [f64], lanes: usize, h: f64) -> Self {
-        let b = &rows[..ROWS * lanes];
-        Self { b, lanes, h }
+impl TaylorSeries {
+    /// The series of `lanes` gaps with these rows of coefficients, in units of `h` s.
+    pub fn new(rows: Vec<f64>, lanes: usize, h: f64) -> Self {
+        Self { b: rows, lanes, h }
+    }
+
+    /// Its rows of coefficients.
+    pub fn into_rows(self) -> Vec<f64> {
+        self.b
     }
 
     /// Writes the gaps, m, and their rates, m/s, at `s`.
     pub fn evaluate(&self, s: f64, gaps: &mut [f64], rates: &mut [f64]) {
         let (gaps, rates) = (&mut gaps[..self.lanes], &mut rates[..self.lanes]);
-        in_lanes!(self.lanes, evaluate_lanes(self.b, s, gaps, rates));
+        in_lanes!(self.lanes, evaluate_lanes(&self.b, s, gaps, rates));
         for rate in rates {
             *rate /= self.h;
         }
     }
 
-    /// Gap `j` with argument s/reach, times `sign`.
+    /// Gap `j` as a polynomial in s/reach, times `sign`.
     pub fn gap(&self, j: usize, sign: f64, reach: f64) -> Polynomial {
         let mut power = sign;
         std::array::from_fn(|k| {
@@ -147,7 +157,7 @@ impl<'a> Series<'a> {
         })
     }
 
-    /// Force of the contact at gap `j` with argument s/reach, times `sign`.
+    /// Force of the contact at gap `j` as a polynomial in s/reach, times `sign`.
     pub fn force(&self, j: usize, spring: Spring, sign: f64, reach: f64) -> Polynomial {
         let mut power = -sign;
         let mut force = std::array::from_fn(|k| {
@@ -160,15 +170,16 @@ impl<'a> Series<'a> {
             power *= reach;
             c
         });
-        // A sum of two that cancel but for rounding is zero: then its slope decides.
+        // Spring and dashpot cancel but for rounding: the force is zero, and its slope
+        // decides where it goes.
         if force[0].abs() <= 16.0 * f64::EPSILON * (spring.stiffness * self.b[j]).abs() {
             force[0] = 0.0;
         }
         force
     }
 
-    /// Energy ∫ Σ_j c_j w_j² dt that dashpots c_j lose from 0 to `s`, by Gauss's rule;
-    /// `rates` and `slopes` (as long as the series) are room to work in.
+    /// Energy ∫ Σ_j c_j w_j² dt that dashpots c_j lose from 0 to `s`, by Gauss-Legendre
+    /// quadrature. `rates` and `slopes`, as long as the series, are buffers.
     pub fn dissipation(
         &self,
         s: f64,
@@ -176,14 +187,15 @@ impl<'a> Series<'a> {
         rates: &mut [f64],
         slopes: &mut [f64],
     ) -> f64 {
-        // Of 3, 5 and 8 nodes, those that leave an error of 10⁻¹³ at a phase of 4s.
+        // The fewest nodes whose error is below 10⁻¹³: a rate squared has a phase of up to
+        // 2·PHASE·s.
         let nodes: &[(f64, f64)] = match s {
             s if s < 0.01 => &GAUSS_3,
             s if s < 0.16 => &GAUSS_5,
             _ => &GAUSS_8,
         };
         let slopes = &mut slopes[..(ROWS - 1) * self.lanes];
-        in_lanes!(self.lanes, differentiate(self.b, slopes));
+        in_lanes!(self.lanes, differentiate(&self.b, slopes));
         let mut sum = 0.0;
         for &(node, weight) in nodes {
             let node = s * node;
@@ -192,8 +204,8 @@ impl<'a> Series<'a> {
         sum * s / self.h
     }
 
-    /// How far beyond s = 1 the series may be used: its last terms stay negligible
-    /// against the motion of the gaps in which forces act.
+    /// How far the series may be used, s ≥ 1: its last two terms stay negligible against
+    /// the motion of the gaps in which forces act.
     pub fn reach(&self, stiffness: &[f64]) -> f64 {
         let row = |k: usize| &self.b[k * self.lanes..(k + 1) * self.lanes];
         let (mut motion, mut last) = (0.0_f64, 0.0_f64);
@@ -209,17 +221,19 @@ impl<'a> Series<'a> {
         farther.map_or(1.0, |&(reach, _)| reach)
     }
 
-    /// Which gaps keep the sign that `sign` gives them (+1: ≥ 0, −1: ≤ 0) up to `reach`
-    /// for sure: those whose least partial sum, written to `least`, is not below 0.
+    /// Writes the least partial sum of each gap's series at `reach`, times `sign` (+1 or −1).
+    ///
+    /// Where it is not below 0 the gap keeps its sign up to `reach`, by Abel's summation
+    /// (see [`polynomial`](super::polynomial)). `sums` is a buffer.
     pub fn least_sums(&self, sign: &[f64], reach: f64, sums: &mut [f64], least: &mut [f64]) {
         in_lanes!(
             self.lanes,
-            least_sums_lanes(self.b, sign, reach, sums, least)
+            least_sums_lanes(&self.b, sign, reach, sums, least)
         );
     }
 }
 
-/// Where a series may end, and that to the power of its last term.
+/// Where a series may end beyond s = 1, and s^24, by which its last term has grown there.
 const FARTHER: [(f64, f64); 3] = [(4.0, 2.815e14), (2.5, 3.553e9), (1.6, 79_230.0)];
 
 #[inline(always)]
@@ -235,7 +249,7 @@ fn evaluate_lanes(lanes: usize, b: &[f64], s: f64, gaps: &mut [f64], rates: &mut
     }
 }
 
-/// The series of the rates times h.
+/// Writes the series of the rates times h.
 #[inline(always)]
 fn differentiate(lanes: usize, b: &[f64], slopes: &mut [f64]) {
     let mut power = 0.0;
@@ -291,7 +305,7 @@ fn least_sums_lanes(
     }
 }
 
-/// Nodes and weights of Gauss's rules on [0, 1].
+/// Nodes and weights of the Gauss-Legendre quadrature on [0, 1].
 const GAUSS_3: [(f64, f64); 3] = [
     (0.112_701_665_379_258_31, 0.277_777_777_777_777_8),
     (0.5, 0.444_444_444_444_444_4),

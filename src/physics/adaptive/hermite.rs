@@ -1,30 +1,31 @@
-//! Where a function given by value, slope and curvature at both ends of a step first
-//! falls to zero.
+//! Where a function first falls to zero within a step, from its value, slope and curvature at
+//! both ends.
 
-/// A function over a step of unit length: the quintic of Hermite, by its Bernstein
-/// coefficients. Where all of them are positive the function is.
+/// A function over a step of unit length, as its Hermite interpolation of fifth degree.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Course {
+pub(super) struct HermiteQuintic {
+    /// Bernstein coefficients. The quintic lies within their range, so it is positive where all
+    /// of them are.
     bernstein: [f64; 6],
-    /// How far the quintic may be off, roughly.
+    /// Roughly how far the quintic may be off the function.
     doubt: f64,
 }
 
 /// Value, slope and curvature, in units of the step.
 pub(super) type Jet = [f64; 3];
 
-/// What a function does over a step.
+/// Whether a function falls to zero in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Fall {
+pub(super) enum Crossing {
     /// It stays above zero.
     Never,
-    /// It comes so near to zero that only shorter steps can tell.
+    /// It comes so near to zero that only a shorter step can tell.
     Perhaps,
-    /// It falls to zero at that part of the step.
+    /// It falls to zero at this part of the step.
     At(f64),
 }
 
-impl Course {
+impl HermiteQuintic {
     pub fn new(start: Jet, end: Jet) -> Self {
         let ([f, df, ddf], [g, dg, ddg]) = (start, end);
         let bernstein = [
@@ -35,8 +36,9 @@ impl Course {
             g - dg / 5.0,
             g,
         ];
-        // What the curvatures add to the cubic at the middle, (f'' + g'' − cubic's)/64 of
-        // a sort, says how smooth the function is over the step.
+        // The Hermite cubic needs no curvatures. How far its own are from those given says how
+        // smooth the function is. They differ in the middle by at most a 64th of that; the
+        // quintic is taken to be off by a tenth of it.
         let cubic_start = 6.0 * (g - f) - 4.0 * df - 2.0 * dg;
         let cubic_end = -6.0 * (g - f) + 2.0 * df + 4.0 * dg;
         let doubt = ((ddf - cubic_start).abs() + (ddg - cubic_end).abs()) / 640.0;
@@ -44,25 +46,26 @@ impl Course {
     }
 
     /// Its first fall to zero; it starts above.
-    pub fn fall(&self) -> Fall {
+    pub fn fall(&self) -> Crossing {
         if let Some(at) = first_root(self.bernstein, 0.0, 1.0, 0) {
-            return Fall::At(at);
+            return Crossing::At(at);
         }
         let raised = self.bernstein.map(|b| b - self.doubt);
-        // Doubt about its ends there is none.
+        // The ends are known without doubt.
         let ends = self.bernstein[0].min(self.bernstein[5]);
         if ends > self.doubt && first_root(raised, 0.0, 1.0, 0).is_some() {
-            Fall::Perhaps
+            Crossing::Perhaps
         } else {
-            Fall::Never
+            Crossing::Never
         }
     }
 }
 
-/// Halvings after which a place in the step is known to rounding.
+/// Bisections after which a place in the step is known to rounding.
 const DEEPEST: u32 = 50;
 
-/// The first root in a piece of the step, by halving it (de Casteljau).
+/// The first root of the quintic with Bernstein coefficients `b` on this piece of the step, by
+/// bisection.
 fn first_root(b: [f64; 6], from: f64, to: f64, depth: u32) -> Option<f64> {
     if b.iter().all(|&b| b > 0.0) {
         return None;
@@ -75,6 +78,7 @@ fn first_root(b: [f64; 6], from: f64, to: f64, depth: u32) -> Option<f64> {
     first_root(left, from, middle, depth + 1).or_else(|| first_root(right, middle, to, depth + 1))
 }
 
+/// The Bernstein coefficients of both halves, by de Casteljau's algorithm.
 fn halves(mut b: [f64; 6]) -> ([f64; 6], [f64; 6]) {
     let (mut left, mut right) = (b, b);
     for k in 1..6 {
@@ -91,8 +95,8 @@ fn halves(mut b: [f64; 6]) -> ([f64; 6], [f64; 6]) {
 mod tests {
     use super::*;
 
-    /// The quintic Σ c_k x^k as a course.
-    fn course(c: [f64; 6]) -> Course {
+    /// The quintic Σ c_k x^k.
+    fn quintic(c: [f64; 6]) -> HermiteQuintic {
         let jet = |x: f64| -> Jet {
             let mut jet = [0.0; 3];
             for (k, c) in c.iter().enumerate() {
@@ -107,14 +111,14 @@ mod tests {
             }
             jet
         };
-        Course::new(jet(0.0), jet(1.0))
+        HermiteQuintic::new(jet(0.0), jet(1.0))
     }
 
     #[test]
     fn the_first_of_several_roots() {
         // (x − 0.3)(x − 0.6)(x − 0.9), negated: above zero at 0.
-        let found = course([0.162, -0.99, 1.8, -1.0, 0.0, 0.0]).fall();
-        let Fall::At(at) = found else {
+        let found = quintic([0.162, -0.99, 1.8, -1.0, 0.0, 0.0]).fall();
+        let Crossing::At(at) = found else {
             panic!("{found:?}")
         };
         // The coefficients are rounded.
@@ -126,7 +130,7 @@ mod tests {
         // 25 (x − ½)⁴ + 0.1 (x − ½)² − 10⁻⁹.
         let dip = |below: f64| {
             let (a, b) = (25.0, 0.1);
-            course([
+            quintic([
                 a / 16.0 + b / 4.0 - below,
                 -a / 2.0 - b,
                 1.5 * a + b,
@@ -136,8 +140,8 @@ mod tests {
             ])
             .fall()
         };
-        assert!(matches!(dip(1e-9), Fall::At(at) if (0.49..0.5).contains(&at)));
-        assert_eq!(dip(-1e-9), Fall::Perhaps);
-        assert_eq!(dip(-1.0), Fall::Never);
+        assert!(matches!(dip(1e-9), Crossing::At(at) if (0.49..0.5).contains(&at)));
+        assert_eq!(dip(-1e-9), Crossing::Perhaps);
+        assert_eq!(dip(-1.0), Crossing::Never);
     }
 }

@@ -1,0 +1,105 @@
+//! How clusters are brought to a time before their plans end, or then.
+
+use super::cluster::Cluster;
+use super::plan::{Flight, Plan};
+use super::workspace::{PADDING, Workspace};
+use super::{ContactMode, Exact, Gap};
+use crate::physics::flight::Ground;
+use crate::physics::ledger::Ledger;
+
+/// Lengths, m, and speeds, m/s, below this are set to zero: they would decay into subnormal
+/// numbers, which are slow.
+const NOTHING: f64 = 1e-200;
+
+/// A gap and its rate at `t`.
+pub(super) fn brought((g, w): (f64, f64), t: f64) -> Gap {
+    let flush = |x: f64| if x.abs() < NOTHING { 0.0 } else { x };
+    let (g, w) = (flush(g), flush(w));
+    Gap { g, w, t }
+}
+
+impl<G: Ground> Exact<G> {
+    /// Ends the plan of the cluster that starts at `low`, at its end `t`. Which gap changes
+    /// then, and to what.
+    pub(super) fn finish(&mut self, low: usize, t: f64) -> Option<(usize, ContactMode)> {
+        let plan = self.plans[low].of_cluster();
+        let (deepest, change) = (plan.deepest(), plan.change(&self.cluster(low)));
+        self.state.books.measure(deepest.into_iter());
+        self.bring(low, t);
+        change
+    }
+
+    /// Brings the cluster that starts at `low` to time `t`, before its plan ends or then.
+    /// Its plan is spent, and it needs another.
+    pub(super) fn bring(&mut self, low: usize, t: f64) {
+        let gaps = low..self.clusters.end(low);
+        let cluster = Cluster {
+            ground: &self.ground,
+            constants: &self.constants,
+            low,
+            gaps: &self.gaps[gaps.clone()],
+            modes: &self.modes[gaps.clone()],
+            ends: self.queue.get(low),
+        };
+        let (plan, work) = (self.plans[low].of_cluster(), &mut self.workspace);
+        plan.account(&cluster, t, &mut self.state.books.ledger, work);
+        plan.at(&cluster, t, &mut work.a, &mut work.b);
+        let flies = cluster.flies();
+        if G::PULLS && low == 0 && self.modes[0] == ContactMode::Pushing {
+            self.centre = self.centre_at(t, &self.workspace.a, &self.workspace.b);
+        }
+        let work = &mut self.workspace;
+        let moved = work.a.iter().zip(&work.b);
+        for (gap, (&g, &w)) in self.gaps[gaps.clone()].iter_mut().zip(moved) {
+            *gap = brought((g, w), t);
+        }
+        if !flies {
+            let gaps = self.gaps[gaps].iter().map(|gap| gap.g);
+            self.state.books.measure(gaps);
+        }
+        let spent = std::mem::replace(&mut self.plans[low], Plan::Flight(Flight));
+        spent.retire(work);
+    }
+
+    /// Writes gaps and rates of the cluster that starts at `low`, at `t`, to the beginning
+    /// of rows that have room for whole lanes.
+    pub(super) fn at(&self, low: usize, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
+        let plan = self.plans[low].of_cluster();
+        plan.at(&self.cluster(low), t, gaps, rates);
+    }
+
+    /// All gaps and rates at `t`.
+    pub(super) fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
+        let n = self.gaps.len();
+        let row = || vec![0.0; n + PADDING];
+        let (mut gaps, mut rates) = (row(), row());
+        self.all_at(t, &mut gaps, &mut rates);
+        gaps.truncate(n);
+        rates.truncate(n);
+        (gaps, rates)
+    }
+
+    /// Writes all gaps and rates at `t`, to rows as long as [`Workspace`]'s.
+    pub(super) fn all_at(&self, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
+        // Upwards: what a cluster overwrites behind its end is written next.
+        for low in self.clusters.starts() {
+            self.at(low, t, &mut gaps[low..], &mut rates[low..]);
+        }
+    }
+
+    /// Gap `i`, in flight, and its rate at `t`.
+    pub(super) fn flight(&self, i: usize, t: f64) -> (f64, f64) {
+        self.gaps[i].flown(&self.ground, i == 0, t)
+    }
+
+    /// What is accounted for, up to now.
+    pub(super) fn ledger(&self) -> Ledger {
+        let mut ledger = self.state.books.ledger;
+        let mut work = Workspace::new(self.gaps.len());
+        for low in self.clusters.starts() {
+            let (plan, cluster) = (self.plans[low].of_cluster(), self.cluster(low));
+            plan.account(&cluster, self.clock.now, &mut ledger, &mut work);
+        }
+        ledger
+    }
+}
