@@ -77,10 +77,10 @@
 //! |---|---|
 //! | a contact law | `scene/law.rs` (what it is; the compiler asks for the rest), `physics/contact_law.rs` (its force), a row in `scene/parameters/rows/contact.rs` for each constant, a preset |
 //! | a parameter | a row in `scene/parameters/rows.rs`, and what it acts on; `--set`, files, help, errors, panel, undo and sweeps read the row |
-//! | a measured number | `study/measure.rs` |
+//! | a measured number | a row in `study/quantity/rows.rs`; `run` in all its formats, `sweep` and the explorer read it; and `study/measure.rs`, if nothing measures it yet |
 //! | a figure | a file in `study/figures/`, and its line in `study/figures.rs` |
 //! | a view, a key | `tui/keys.rs` (the key and its help), `tui/update.rs` (what it does), a widget in `tui/widgets/` |
-//! | an output format | `cli` (its name), a file in `commands/run/` |
+//! | an output format | a file in `study/export/`, and its line in `study/export.rs`; `--format` and help read it |
 //! | a preset | a file in `presets/`, and its name in `scene/preset/embedded.rs` |
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
