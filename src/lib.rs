@@ -42,7 +42,8 @@
 //!
 //! Arrows would point down: a room uses those below it, never one above, and `study` and
 //! `live` do not know each other (but `tui` asks `study` for verdicts). [`cli`] is the command
-//! line's grammar. `tests/` holds the rooms to this.
+//! line's grammar, and any room may write numbers by [`numerals`]. `tests/` holds the rooms to
+//! this.
 //!
 //! A run goes so: [`scene::Preset`] reads a TOML file into [`scene::Facts`]; [`scene::Scene`]
 //! is facts that were checked, once. [`physics::build`] makes the [`physics::Engine`] of a scene:
@@ -89,6 +90,7 @@ pub mod cli;
 pub mod commands;
 pub mod live;
 pub mod math;
+pub mod numerals;
 pub mod physics;
 pub mod scene;
 pub mod study;

@@ -3,10 +3,11 @@
 use super::drive::{Drive, RunError, Watch};
 use super::measure::{Results, measure};
 use super::quantity::{self, Around, Quantity, Run};
-use super::sensitivity::{Sensitivity, digits, is_cheap, rounded, sensitivity};
+use super::sensitivity::{Sensitivity, is_cheap, sensitivity};
 use super::table::Cell;
 use super::vary::PATTERNS;
 use super::verdict::verdict;
+use crate::numerals::{digits, rounded};
 use crate::scene::{Preset, Scene};
 use std::ops::ControlFlow;
 use std::time::Instant;

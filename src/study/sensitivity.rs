@@ -5,7 +5,6 @@ use super::drive::{Drive, RunError, Watch};
 use super::measure::{Results, measure};
 use super::quantity::{self, Measured};
 use super::vary::{PATTERNS, one_ulp_off, vary};
-use crate::math;
 use crate::physics;
 use crate::scene::parameters::Value;
 use crate::scene::{GridSettings, Scene};
@@ -220,23 +219,7 @@ fn of_method(scene: &Scene) -> Option<(&'static str, f64)> {
 
 /// Whether a run without gravity was so short that it may be done again without being
 /// asked to; under gravity, where motion is chaotic, means have a standard error.
-pub fn is_cheap(scene: &Scene, results: &Results) -> bool {
+pub(super) fn is_cheap(scene: &Scene, results: &Results) -> bool {
     let cost = results.steps as f64 * scene.n as f64 + results.events as f64;
     scene.gravity.is_none() && cost < CHEAP
-}
-
-/// Digits of a number that is known to this part of itself, and one to spare.
-pub fn digits(part: f64) -> usize {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "between 1 and 17"
-    )]
-    let digits = (1.0 - math::log10(part).floor()).clamp(1.0, 17.0) as usize;
-    digits
-}
-
-/// `x` to so many significant digits.
-pub fn rounded(x: f64, digits: usize) -> f64 {
-    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }

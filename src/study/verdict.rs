@@ -29,8 +29,8 @@ mod tests;
 mod twins;
 
 use super::means::Mean;
-use super::table::significant;
 use crate::math;
+use crate::numerals::significant;
 use crate::scene::Scene;
 
 pub use twins::verdict;

@@ -1,9 +1,9 @@
 //! Results to read: a line each, those that the scene has.
 
 use super::Format;
+use crate::numerals::rounded;
 use crate::scene::parameters::Value;
 use crate::study::findings::Finding;
-use crate::study::rounded;
 use crate::study::table::Cell;
 
 pub(super) const FORMAT: Format = Format {

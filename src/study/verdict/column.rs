@@ -1,10 +1,10 @@
 //! One of the two columns that are compared, on its way.
 
 use super::{DENSE_SHARE, LANDINGS, Quantity, Verdict, Word};
+use crate::numerals::significant;
 use crate::physics::{Engine, Observation, build};
 use crate::scene::{Facts, Scene};
 use crate::study::means::Means;
-use crate::study::table::significant;
 use crate::study::{Allowance, Drive, RunError, Watch, measure};
 use std::ops::Range;
 
