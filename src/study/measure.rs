@@ -151,10 +151,7 @@ fn floor_collision(
         eps_eff: Some((after / before).sqrt()),
         // Of a column that has come to rest nobody can say how its energy is shared.
         er_over_ef: (after > 0.0).then(|| share(last.energy.relative / after, scene.n)),
-        contact_duration: last
-            .floor_left
-            .zip(last.floor_touched)
-            .map(|(left, touched)| left - touched),
+        contact_duration: last.floor_contact(),
         ..Results::default()
     })
 }

@@ -1,6 +1,6 @@
 //! What a run gives, described once: names, units, meanings, where each number comes from
-//! and how well it is known. `run` in all its formats and `sweep` read it. One more is a
-//! row of [`table`], and what measures it, if nothing does yet.
+//! and how well it is known. `run` in all its formats, `sweep` and the explorer read it. One
+//! more is a row of [`table`], and what measures it, if nothing does yet.
 
 mod rows;
 
@@ -8,6 +8,7 @@ use super::measure::Results;
 use super::sensitivity::Sensitivity;
 use super::table::Cell;
 use super::verdict::Verdict;
+use crate::physics::Observation;
 use crate::scene::{Preset, Scene};
 
 /// A quantity.
@@ -17,8 +18,23 @@ pub struct Quantity {
     pub name: &'static str,
     /// SI unit; empty for pure numbers, counts and words.
     pub unit: &'static str,
+    /// How it is seen of a column that moves, if it is.
+    pub seen: Option<Seen>,
     meaning: Meaning,
     source: Source,
+}
+
+/// What the explorer shows of a column at any moment.
+#[derive(Debug, Clone, Copy)]
+pub struct Seen {
+    /// What it is called there.
+    pub symbol: &'static str,
+    /// Where it stands: what has a higher rank is given up first.
+    pub rank: u8,
+    /// Which scenes have it.
+    pub of: fn(&Scene) -> bool,
+    /// Its value now; empty as long as it has none.
+    pub now: fn(&Observation) -> Cell,
 }
 
 /// What it is, in a few words.
@@ -130,6 +146,11 @@ impl Quantity {
         matches!(self.source, Source::Machine(_))
     }
 
+    /// Whether it is an error, or no better known than one.
+    pub fn is_rough(&self) -> bool {
+        matches!(self.source, Source::Rough(_) | Source::Change(_))
+    }
+
     /// Whether its values are whole numbers.
     pub fn is_count(&self) -> bool {
         matches!(self.source, Source::Count(_))
@@ -164,8 +185,7 @@ impl Quantity {
                 run.sensitivity
                     .unknown(self.name, measured, run.scene, run.results)
             }
-            Source::Rough(_) | Source::Change(_) => Some(ROUGHLY),
-            _ => None,
+            _ => self.is_rough().then_some(ROUGHLY),
         }
     }
 }

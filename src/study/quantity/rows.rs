@@ -1,7 +1,7 @@
 //! The rows of the table, in the order in which they are written.
 
-use super::{Meaning, Measured, Quantity, Source, number};
-use crate::physics;
+use super::{Meaning, Measured, Quantity, Seen, Source, number};
+use crate::physics::{self, Observation};
 use crate::scene::{Arrangement, MethodName, PowerLaw, Preset, Scene};
 use crate::study::measure::{Results, rounding};
 use crate::study::sensitivity::Sensitivity;
@@ -104,14 +104,16 @@ pub(super) static ROWS: [Quantity; 42] = [
         "s",
         "the floor's, from first touch to last",
         |run| run.contact_duration,
-    ),
+    )
+    .seen("t_k", 6, |seen| number(seen.floor_contact())),
     result(
         "h_cm_mean",
         "m",
         "height of the centre of mass, mean of the last 90 %",
         |run| run.h_cm_mean,
     )
-    .at_best(|_, run| of_mean(run.h_cm_error, run.h_cm_mean)),
+    .at_best(|_, run| of_mean(run.h_cm_error, run.h_cm_mean))
+    .seen("h_cm", 0, |seen| Cell::Number(seen.centre)),
     rough("h_cm_error", "m", "its error", |run| run.h_cm_error),
     result(
         "er_over_e_mean",
@@ -139,7 +141,8 @@ pub(super) static ROWS: [Quantity; 42] = [
         "",
         "what the ledger misses: no error of results",
         |run| Some(run.energy_drift),
-    ),
+    )
+    .seen("drift", 1, |seen| Cell::Number(seen.energy.drift)),
     change("step_error", "of the main result, by other steps", |of| {
         of.step
     }),
@@ -218,6 +221,7 @@ const fn row(
     Quantity {
         name,
         unit,
+        seen: None,
         meaning: Meaning::Always(meaning),
         source,
     }
@@ -300,6 +304,17 @@ impl Quantity {
         if let Meaning::Always(linear) = self.meaning {
             self.meaning = Meaning::ByLaw(linear, words);
         }
+        self
+    }
+
+    /// The same, which the explorer shows of every scene.
+    const fn seen(mut self, symbol: &'static str, rank: u8, now: fn(&Observation) -> Cell) -> Self {
+        self.seen = Some(Seen {
+            symbol,
+            rank,
+            of: |_| true,
+            now,
+        });
         self
     }
 
