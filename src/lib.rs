@@ -42,7 +42,8 @@
 //!
 //! Arrows would point down: a room uses those below it, never one above, and `study` and
 //! `live` do not know each other (but `tui` asks `study` for verdicts). [`cli`] is the command
-//! line's grammar. `tests/` holds the rooms to this.
+//! line's grammar, and any room may write numbers by [`numerals`]. `tests/` holds the rooms to
+//! this.
 //!
 //! A run goes so: [`scene::Preset`] reads a TOML file into [`scene::Facts`]; [`scene::Scene`]
 //! is facts that were checked, once. [`physics::build`] makes the [`physics::Engine`] of a scene:
@@ -78,10 +79,10 @@
 //! | a contact law | `scene/law.rs` (what it is; the compiler asks for the rest), `physics/contact_law.rs` (its force), a row in `scene/parameters/rows/contact.rs` for each constant, a preset |
 //! | a way in which a cluster of the exact engine moves | a file in `physics/exact/plan/`, and its three lines in `plan.rs` |
 //! | a parameter | a row in `scene/parameters/rows.rs`, and what it acts on; `--set`, files, help, errors, panel, undo and sweeps read the row |
-//! | a measured number | `study/measure.rs` |
+//! | a measured number | a row in `study/quantity/rows.rs`; `run` in all its formats, `sweep` and the explorer read it; and `study/measure.rs`, if nothing measures it yet |
 //! | a figure | a file in `study/figures/`, and its line in `study/figures.rs` |
 //! | a view, a key | `tui/keys.rs` (the key and its help), `tui/update.rs` (what it does), a widget in `tui/widgets/` |
-//! | an output format | `cli` (its name), a file in `commands/run/` |
+//! | an output format | a file in `study/export/`, and its line in `study/export.rs`; `--format` and help read it |
 //! | a preset | a file in `presets/`, and its name in `scene/preset/embedded.rs` |
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
@@ -90,6 +91,7 @@ pub mod cli;
 pub mod commands;
 pub mod live;
 pub mod math;
+pub mod numerals;
 pub mod physics;
 pub mod scene;
 pub mod study;

@@ -6,11 +6,14 @@
 pub mod accuracy;
 pub mod advise;
 mod drive;
+pub mod export;
 pub mod figures;
+mod findings;
 mod fit;
 mod means;
 mod measure;
 pub mod plot;
+pub mod quantity;
 mod sensitivity;
 pub mod speed;
 pub mod stability;
@@ -20,10 +23,9 @@ mod vary;
 pub mod verdict;
 
 pub use drive::{Allowance, Drive, RunError, SLICE, Watch, in_time, natural_time};
+pub use findings::{Finding, Findings, Stage, run};
 pub use measure::{Results, measure};
-pub use sensitivity::{
-    Sensitivity, digits, in_its_digits, is_cheap, rounded, sensitivity, work_of_sensitivity,
-};
+pub use sensitivity::{Sensitivity, sensitivity, work_of_sensitivity};
 pub use vary::{PATTERNS, one_ulp_off, vary};
 
 /// Who waits for a study: is told what it is at, and which part of it is done, where that

@@ -5,9 +5,9 @@ mod program;
 
 use std::f64::consts::PI;
 
+use beadlab::numerals::{digits, rounded};
 use beadlab::physics::{Observation, build};
 use beadlab::scene::{Preset, diameters};
-use beadlab::study::{digits, rounded};
 use program::{beadlab, failed, file, json, table};
 
 fn number(object: &serde_json::Value, name: &str) -> f64 {

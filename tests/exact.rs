@@ -117,7 +117,10 @@ fn said(scene: &Scene) -> Result<(f64, f64), String> {
         .and_then(|results| sensitivity(scene, &results, PATTERNS, &mut again))
         .map_err(|error| error.to_string())?;
     let part = |x: Option<f64>| x.unwrap_or(0.0).max(1e-12);
-    Ok((part(results.eps_eff), part(results.er_over_ef)))
+    Ok((
+        part(results.change("eps_eff")),
+        part(results.change("er_over_ef")),
+    ))
 }
 
 fn larger((a, b): (f64, f64), (x, y): (f64, f64)) -> (f64, f64) {

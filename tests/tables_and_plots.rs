@@ -1,7 +1,8 @@
 //! Tables and plots of studies.
 
+use beadlab::numerals::significant;
 use beadlab::study::plot::{Axis, Look, Plot, Series};
-use beadlab::study::table::{Cell, Column, Digits, Table, significant};
+use beadlab::study::table::{Cell, Column, Digits, Table};
 
 fn table() -> Table {
     let columns = [

@@ -2,7 +2,7 @@
 
 use super::output::Output;
 use super::{Failure, printed};
-use crate::cli::{Format, ReportArgs};
+use crate::cli::{ReportArgs, ReportFormat};
 use crate::scene::words::one_line;
 use crate::study::accuracy::Report;
 use crate::study::plot::Plot;
@@ -77,12 +77,12 @@ impl<'a> Destination<'a> {
             write_files(folder, report)?;
         }
         let text = match self.args.format {
-            Format::Text => {
+            ReportFormat::Text => {
                 let theme = Theme::detect(self.args.ascii, |name| std::env::var(name).ok());
                 in_words(report, columns(), theme.ascii)
             }
-            Format::Csv => in_csv(report),
-            Format::Json => in_json(report),
+            ReportFormat::Csv => in_csv(report),
+            ReportFormat::Json => in_json(report),
         };
         let mut out = io::stdout().lock();
         printed(out.write_all(text.as_bytes()).and_then(|()| out.flush()))

@@ -44,7 +44,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
             let mut row = progress.row(&scene);
             let outcome = measure_unless(&scene, interrupt.flag(), &mut |time| row.show(time))?;
             row.done();
-            Some(Row::of(&scene, outcome))
+            Some(Row::of(outcome))
         },
         |row, measured| match file.push(&Format::line(&sweep.values(row), &measured)) {
             Ok(()) => {

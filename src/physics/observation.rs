@@ -109,6 +109,14 @@ pub struct Observation {
     pub discs: Option<Discs>,
 }
 
+impl Observation {
+    /// The paper's t_k, s, once bead 1 has left the floor.
+    pub fn floor_contact(&self) -> Option<f64> {
+        let both = self.floor_left.zip(self.floor_touched);
+        both.map(|(left, touched)| left - touched)
+    }
+}
+
 /// The beads of a lattice in their plane, which repeats itself across.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Discs {

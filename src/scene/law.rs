@@ -1,6 +1,7 @@
 //! The laws of a soft contact, Eq. (8), and the change from one to another.
 
 use crate::math;
+use crate::numerals::rounded;
 use std::f64::consts::PI;
 
 use super::Solver;
@@ -306,9 +307,13 @@ impl PowerLaw {
         let rate = speed / depth;
         Self {
             exponents,
-            stiffness: rounded((1.0 + 0.5 * beta) * (rate * rate) * math::powf(depth, -beta)),
+            stiffness: rounded(
+                (1.0 + 0.5 * beta) * (rate * rate) * math::powf(depth, -beta),
+                THERE_AND_BACK,
+            ),
             damping: rounded(
                 self.damping * math::powf(0.5 * depth, self.exponents.gamma() - gamma),
+                THERE_AND_BACK,
             ),
         }
     }
@@ -335,19 +340,18 @@ impl PowerLaw {
         };
         let contact_time = PI / (linear.stiffness - mu * mu).sqrt();
         (
-            rounded(math::exp(-mu * contact_time)),
-            rounded(contact_time),
+            rounded(math::exp(-mu * contact_time), THERE_AND_BACK),
+            rounded(contact_time, THERE_AND_BACK),
         )
     }
 }
 
+/// Digits of constants that a change of law gives: with them a change there and back gives
+/// the number that one started with.
+const THERE_AND_BACK: usize = 12;
+
 /// Least restitution that a change to the linear law gives.
 const FEEBLEST: f64 = 1e-6;
-
-/// To twelve digits, so that there and back gives the number one started with.
-fn rounded(x: f64) -> f64 {
-    format!("{x:.11e}").parse().unwrap_or(x)
-}
 
 #[cfg(test)]
 mod tests;

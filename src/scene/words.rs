@@ -5,6 +5,9 @@ use std::ops::RangeInclusive;
 /// How much of a bad value is worth repeating in a message.
 const LONGEST_QUOTE: usize = 60;
 
+/// Letters that a slip may have more than what was meant.
+const LONGER: usize = 8;
+
 /// Characters that show nothing and that the standard library takes for printable: joiners,
 /// fillers, selectors and tags.
 const BLANK: [RangeInclusive<char>; 8] = [
@@ -66,11 +69,14 @@ pub(crate) fn nearest<'a>(
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {
     let word = word.to_lowercase().replace('-', "_");
+    let typed = word.chars().count();
     candidates
         .into_iter()
+        // A long word is nobody's slip of a short one; this also bounds the work.
+        .filter(|candidate| typed <= candidate.chars().count() + LONGER)
         .map(|candidate| {
             let plain = candidate.to_lowercase().replace('-', "_");
-            (edits(&word, &plain), candidate)
+            (strsim::levenshtein(&word, &plain), candidate)
         })
         .filter(|&(distance, candidate)| {
             let letters = candidate.chars().count();
@@ -86,26 +92,6 @@ pub(crate) fn did_you_mean<'a>(
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> String {
     nearest(word, candidates).map_or_else(String::new, |near| format!("; did you mean {near}?"))
-}
-
-/// Levenshtein distance: letters to insert, delete or replace.
-fn edits(from: &str, to: &str) -> usize {
-    let to: Vec<char> = to.chars().collect();
-    // A long word is nobody's slip of a short one; this also bounds the work.
-    if from.chars().count() > to.len() + 8 {
-        return usize::MAX;
-    }
-    let mut row: Vec<usize> = (0..=to.len()).collect();
-    for (i, a) in from.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, &b) in to.iter().enumerate() {
-            let replaced = diagonal + usize::from(a != b);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[to.len()]
 }
 
 #[cfg(test)]

@@ -115,11 +115,8 @@ pub fn measure(scene: &Scene, drive: &mut Drive) -> Result<Results, RunError> {
     } else {
         last.free_flight
     };
-    let sigma = flight
-        .zip(scene.contact_time())
-        .map(|(flight, t_c)| flight / t_c);
     Ok(Results {
-        sigma,
+        sigma: sigma(scene, flight),
         overlap_max: scene.is_md().then(|| last.deepest / scene.diameter),
         energy_drift: last.energy.drift,
         events: last.events,
@@ -128,6 +125,12 @@ pub fn measure(scene: &Scene, drive: &mut Drive) -> Result<Results, RunError> {
         sim_time: drive.time(),
         ..measured
     })
+}
+
+/// σ of a mean free flight, s, in a scene that has a contact time.
+pub(super) fn sigma(scene: &Scene, flight: Option<f64>) -> Option<f64> {
+    let both = flight.zip(scene.contact_time());
+    both.map(|(flight, t_c)| flight / t_c)
 }
 
 /// A collision with the floor without gravity.
@@ -148,10 +151,7 @@ fn floor_collision(
         eps_eff: Some((after / before).sqrt()),
         // Of a column that has come to rest nobody can say how its energy is shared.
         er_over_ef: (after > 0.0).then(|| share(last.energy.relative / after, scene.n)),
-        contact_duration: last
-            .floor_left
-            .zip(last.floor_touched)
-            .map(|(left, touched)| left - touched),
+        contact_duration: last.floor_contact(),
         ..Results::default()
     })
 }

@@ -2,19 +2,16 @@
 //! the step or the tolerance of its method, or where it closes a collapse.
 
 use super::drive::{Drive, RunError, Watch};
-use super::measure::{Results, measure, rounding};
+use super::measure::{Results, measure};
+use super::quantity::{self, Measured};
 use super::vary::{PATTERNS, one_ulp_off, vary};
-use crate::math;
 use crate::physics;
 use crate::scene::parameters::Value;
 use crate::scene::{GridSettings, Scene};
+use std::collections::BTreeMap;
 
 /// Bead steps of a run that may be done a few times without being asked to.
 const CHEAP: f64 = 1e8;
-
-/// What is known of a floor collision's energies at most: it counts as over when no more
-/// than this part of them can still change.
-const AT_THE_END: f64 = 1e-12;
 
 /// Collisions of a run of hard spheres that costs nothing to do again.
 const FEW: u64 = 1_000_000;
@@ -36,27 +33,17 @@ const TIGHTER: [f64; 2] = [0.1, 0.32];
 /// tenth of a step in a contact time.
 const OF_A_STEP: f64 = 0.1;
 
-/// What is shown of a σ that nobody has measured the sensitivity of.
-const CHAOTIC: f64 = 5e-3;
-
 /// What a tolerance, of one step, vouches for over a whole run.
 const OF_A_TOLERANCE: f64 = 100.0;
 
+/// The main result of a run: the first of these that it has.
+const MAIN: [&str; 2] = ["eps_eff", "h_cm_mean"];
+
 /// Relative changes of a run's results.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sensitivity {
-    /// Of ε_eff.
-    pub eps_eff: Option<f64>,
-    /// Of E_r/E_f.
-    pub er_over_ef: Option<f64>,
-    /// Of the paper's t_k.
-    pub contact_duration: Option<f64>,
-    /// Of the mean height of the centre of mass.
-    pub h_cm_mean: Option<f64>,
-    /// Of mean E_r over mean E.
-    pub er_over_e_mean: Option<f64>,
-    /// Of σ.
-    pub sigma: Option<f64>,
+    /// Of each result that has digits to be measured, by its name in [`quantity::table`].
+    changes: BTreeMap<&'static str, f64>,
     /// What the grid's step alone does to the main result.
     pub step: Option<f64>,
 }
@@ -174,94 +161,51 @@ impl Sensitivity {
     }
 
     fn widen(&mut self, here: &Results, near: &Results, factor: f64) {
-        let widen = |known: &mut Option<f64>, here: Option<f64>, near: Option<f64>| {
+        for (name, measured) in quantity::measured() {
             // Of 0, which is rounding, there are no parts.
-            let Some(here) = here.filter(|&here| here != 0.0) else {
-                return;
+            let Some(here) = (measured.get)(here).filter(|&here| here != 0.0) else {
+                continue;
             };
             // A result that the other run does not have has no digits.
+            let near = (measured.get)(near);
             let change = near.map_or(1.0, |near| ((near - here) / here).abs());
             let change = if change.is_nan() { 0.0 } else { change };
-            *known = Some(known.unwrap_or(f64::EPSILON).max(factor * change));
-        };
-        widen(&mut self.eps_eff, here.eps_eff, near.eps_eff);
-        widen(&mut self.er_over_ef, here.er_over_ef, near.er_over_ef);
-        widen(
-            &mut self.contact_duration,
-            here.contact_duration,
-            near.contact_duration,
-        );
-        widen(&mut self.h_cm_mean, here.h_cm_mean, near.h_cm_mean);
-        widen(
-            &mut self.er_over_e_mean,
-            here.er_over_e_mean,
-            near.er_over_e_mean,
-        );
-        widen(&mut self.sigma, here.sigma, near.sigma);
+            let known = self.changes.entry(name).or_insert(f64::EPSILON);
+            *known = known.max(factor * change);
+        }
+    }
+
+    /// That of the result of this name, if it was measured.
+    pub fn change(&self, name: &str) -> Option<f64> {
+        self.changes.get(name).copied()
     }
 
     /// That of the run's main result: ε_eff, or the mean height.
     pub fn main(&self) -> Option<f64> {
-        self.eps_eff.or(self.h_cm_mean)
+        MAIN.iter().find_map(|name| self.change(name))
     }
 
-    /// What is known of every result at best: the sensitivities, if they were measured;
-    /// the errors of means; and what the method vouches for where they were not.
-    #[must_use]
-    pub fn known(&self, scene: &Scene, results: &Results) -> Self {
-        let method = match of_method(scene) {
+    /// What is not known of a result at best: its sensitivity, if it was measured; its
+    /// error, if it is a mean; and what the method vouches for where nothing was measured.
+    pub(super) fn unknown(
+        &self,
+        name: &str,
+        measured: Measured,
+        scene: &Scene,
+        results: &Results,
+    ) -> Option<f64> {
+        let of_method = match of_method(scene) {
             _ if self.main().is_some() => 0.0,
             Some(("tolerance", tolerance)) => OF_A_TOLERANCE * tolerance,
             Some((_, steps)) => OF_A_STEP / steps,
             None => 0.0,
         };
-        // Under gravity it is that of the last period of a chaotic motion.
-        let of_sigma = match (scene.gravity, self.sigma) {
-            (Some(_), None) => CHAOTIC,
-            _ => 0.0,
-        };
-        let known = |measured: Option<f64>, least: f64| {
-            let part = measured.unwrap_or(0.0).max(method).max(least);
-            (part > 0.0).then_some(part)
-        };
-        let of_mean = |error: Option<f64>, mean: Option<f64>| {
-            let part = error.zip(mean).map(|(error, mean)| (error / mean).abs());
-            part.filter(|part| part.is_finite()).unwrap_or(0.0)
-        };
-        // A square of differences of velocities has twice their error.
-        let of_share = match results.er_over_ef {
-            Some(share) if share > 0.0 => 2.0 * rounding(scene.n) / share.sqrt(),
-            _ => 0.0,
-        };
-        let height = of_mean(results.h_cm_error, results.h_cm_mean);
-        let share = of_mean(results.er_over_e_error, results.er_over_e_mean);
-        Self {
-            eps_eff: known(self.eps_eff, AT_THE_END),
-            er_over_ef: known(self.er_over_ef, AT_THE_END.max(of_share)),
-            contact_duration: known(self.contact_duration, 0.0),
-            h_cm_mean: known(self.h_cm_mean, height),
-            er_over_e_mean: known(self.er_over_e_mean, share),
-            sigma: known(self.sigma, of_sigma),
-            step: self.step,
-        }
-    }
-
-    /// The results without the digits that are not known to these parts.
-    #[must_use]
-    pub fn cut(&self, results: &Results) -> Results {
-        let cut = |x: Option<f64>, part: Option<f64>| match (x, part) {
-            (Some(x), Some(part)) => Some(rounded(x, digits(part))),
-            _ => x,
-        };
-        Results {
-            eps_eff: cut(results.eps_eff, self.eps_eff),
-            er_over_ef: cut(results.er_over_ef, self.er_over_ef),
-            contact_duration: cut(results.contact_duration, self.contact_duration),
-            h_cm_mean: cut(results.h_cm_mean, self.h_cm_mean),
-            er_over_e_mean: cut(results.er_over_e_mean, self.er_over_e_mean),
-            sigma: cut(results.sigma, self.sigma),
-            ..results.clone()
-        }
+        let change = self.change(name);
+        let part = change
+            .unwrap_or_else(|| (measured.unmeasured)(scene))
+            .max(of_method)
+            .max((measured.at_best)(scene, results));
+        (part > 0.0).then_some(part)
     }
 }
 
@@ -275,38 +219,7 @@ fn of_method(scene: &Scene) -> Option<(&'static str, f64)> {
 
 /// Whether a run without gravity was so short that it may be done again without being
 /// asked to; under gravity, where motion is chaotic, means have a standard error.
-pub fn is_cheap(scene: &Scene, results: &Results) -> bool {
+pub(super) fn is_cheap(scene: &Scene, results: &Results) -> bool {
     let cost = results.steps as f64 * scene.n as f64 + results.events as f64;
     scene.gravity.is_none() && cost < CHEAP
-}
-
-/// The results of a run without the digits that they do not have; those of a run that
-/// costs little are measured.
-///
-/// # Errors
-/// As [`measure`].
-pub fn in_its_digits(
-    scene: &Scene,
-    results: &Results,
-    watch: &mut Watch,
-) -> Result<(Results, Sensitivity), RunError> {
-    let patterns = usize::from(is_cheap(scene, results));
-    let measured = sensitivity(scene, results, patterns, watch)?;
-    Ok((measured.known(scene, results).cut(results), measured))
-}
-
-/// Digits of a number that is known to this part of itself, and one to spare.
-pub fn digits(part: f64) -> usize {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "between 1 and 17"
-    )]
-    let digits = (1.0 - math::log10(part).floor()).clamp(1.0, 17.0) as usize;
-    digits
-}
-
-/// `x` to so many significant digits.
-pub fn rounded(x: f64, digits: usize) -> f64 {
-    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }

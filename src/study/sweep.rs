@@ -12,7 +12,8 @@ pub use parallel::run;
 
 use crate::scene::parameters::{Setting, Value};
 use crate::scene::{MethodName, Preset, Scene, SceneError};
-use crate::study::{Drive, Results, RunError, Sensitivity, in_its_digits, measure};
+use crate::study::RunError;
+use crate::study::findings::{Findings, measured};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -160,7 +161,7 @@ pub fn measure_unless(
     scene: &Scene,
     stop: &AtomicBool,
     tell: &mut dyn FnMut(f64),
-) -> Option<Result<(Results, Sensitivity), RunError>> {
+) -> Option<Result<Findings, RunError>> {
     let mut watch = |time| {
         tell(time);
         if stop.load(Ordering::Relaxed) {
@@ -169,8 +170,7 @@ pub fn measure_unless(
             ControlFlow::Continue(())
         }
     };
-    let results = measure(scene, &mut Drive::new(scene, &mut watch));
-    match results.and_then(|results| in_its_digits(scene, &results, &mut watch)) {
+    match measured(scene, &mut watch) {
         Err(RunError::Stopped { .. }) => None,
         result => Some(result),
     }

@@ -1,5 +1,6 @@
 //! Tables of results: text to read, CSV and JSON to reckon with.
 
+use crate::numerals::{shortest, significant};
 use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
 use std::fmt::Write;
 
@@ -255,8 +256,7 @@ fn exactly(cell: &Cell) -> String {
         Cell::Empty => String::new(),
         Cell::Word(word) => word.clone(),
         Cell::Count(count) => count.to_string(),
-        Cell::Number(x) if *x == 0.0 || (1e-4..1e7).contains(&x.abs()) => x.to_string(),
-        Cell::Number(x) => format!("{x:e}"),
+        Cell::Number(x) => shortest(*x, 1e7),
     }
 }
 
@@ -268,25 +268,6 @@ fn show(cell: &Cell, digits: Digits) -> String {
         (Cell::Number(x), Digits::Significant(count)) => significant(*x, count),
         (cell, _) => exactly(cell),
     }
-}
-
-/// `x` with so many significant digits: as a decimal where that is short.
-pub fn significant(x: f64, count: usize) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let after = count.saturating_sub(1);
-    let scientific = format!("{x:.after$e}");
-    let exponent: i32 = scientific
-        .split_once('e')
-        .and_then(|(_, e)| e.parse().ok())
-        .unwrap_or(0);
-    let whole = i32::try_from(after).unwrap_or(i32::MAX);
-    if (-3..=whole.max(2)).contains(&exponent) {
-        let places = usize::try_from(whole.saturating_sub(exponent)).unwrap_or(0);
-        return format!("{x:.places$}");
-    }
-    scientific
 }
 
 /// A paragraph in lines of at most `width`, all but the first indented.

@@ -29,8 +29,8 @@ mod tests;
 mod twins;
 
 use super::means::Mean;
-use super::table::significant;
 use crate::math;
+use crate::numerals::significant;
 use crate::scene::Scene;
 
 pub use twins::verdict;
@@ -79,7 +79,7 @@ impl Word {
 
 /// A quantity of both columns.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Quantity {
+pub struct Compared {
     /// Its name.
     name: &'static str,
     /// Its symbol.
@@ -105,10 +105,10 @@ pub struct Verdict {
     /// Why, in a sentence with the numbers.
     pub because: String,
     /// What parts the columns most, for sure, where they were compared in motion.
-    pub decisive: Option<Quantity>,
+    pub decisive: Option<Compared>,
 }
 
-impl Quantity {
+impl Compared {
     /// ε_eff of soft contacts and of hard spheres.
     fn eps_eff(name: &'static str, both: [f64; 2]) -> Self {
         Self::share(name, "ε_eff", both)
@@ -189,7 +189,7 @@ impl Quantity {
 }
 
 /// The word on some quantities that is clear of all limits by so many standard errors.
-fn decide(of: &[Quantity], errors: f64) -> Option<Word> {
+fn decide(of: &[Compared], errors: f64) -> Option<Word> {
     if of.iter().any(|q| q.at_least(errors) > DETACHED) {
         return Some(Word::Detachment);
     }
@@ -212,8 +212,8 @@ impl Verdict {
     }
 
     /// Of what both columns gave; `more` is to be said besides.
-    fn of(quantities: &[Quantity], word: Option<Word>, more: &str) -> Self {
-        let told = quantities.iter().map(Quantity::told).collect::<Vec<_>>();
+    fn of(quantities: &[Compared], word: Option<Word>, more: &str) -> Self {
+        let told = quantities.iter().map(Compared::told).collect::<Vec<_>>();
         let head = if word.is_none() { "not decided: " } else { "" };
         let worst = quantities
             .iter()

@@ -8,7 +8,7 @@ use super::layout::{Layout, layout};
 use super::model::{Model, Overlay};
 use super::widgets::beads::Beads;
 use super::widgets::discs::Plane;
-use super::widgets::strip::Quantity;
+use super::widgets::strip::Graphed;
 use super::widgets::text::fitted;
 use super::widgets::trace::Trace;
 use super::widgets::{
@@ -147,8 +147,8 @@ fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
 
 fn draw_panels(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     let panels = &layout.panels;
-    strip::render(model, Quantity::Kinetic, panels.energy, buffer);
-    strip::render(model, Quantity::Relative, panels.relative, buffer);
+    strip::render(model, Graphed::Kinetic, panels.energy, buffer);
+    strip::render(model, Graphed::Relative, panels.relative, buffer);
     accuracy::render_history(model, panels.errors, buffer);
     for (panel, title) in [(panels.sigma, "σ"), (panels.parameters, "parameters")] {
         if !panel.is_empty() {

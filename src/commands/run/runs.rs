@@ -3,7 +3,7 @@
 
 use crate::commands::progress::Waiting;
 use crate::scene::Scene;
-use crate::study::{PATTERNS, work_of_sensitivity};
+use crate::study::{PATTERNS, Stage, work_of_sensitivity};
 use std::time::{Duration, Instant};
 
 /// Time between two words about it.
@@ -39,8 +39,19 @@ impl Runs {
         }
     }
 
+    /// What the command is at.
+    pub fn show(&mut self, stage: Stage) {
+        match stage {
+            Stage::Run(time) => self.show_run(time),
+            // All of them are done, and this takes as long as it takes.
+            Stage::Verdict => self
+                .waiting
+                .show("verdict: the same column of hard spheres", None),
+        }
+    }
+
     /// A run has come to `time`, s: the next one, if the last was further.
-    pub fn show(&mut self, time: f64) {
+    fn show_run(&mut self, time: f64) {
         self.at += usize::from(time < self.time);
         self.time = time;
         if Instant::now() < self.due {
@@ -64,12 +75,6 @@ impl Runs {
         let done = before + self.work.get(self.at)? * of_run;
         Some(done / self.work.iter().sum::<f64>())
     }
-
-    /// All of them are done, and the verdict is at work, for as long as it takes.
-    pub fn show_verdict(&mut self) {
-        self.waiting
-            .show("verdict: the same column of hard spheres", None);
-    }
 }
 
 #[cfg(test)]
@@ -87,14 +92,14 @@ mod tests {
         let mut last = 0.0;
         for _ in 0..all {
             for part in [0.1, 0.5, 1.0] {
-                runs.show(part * scene.duration.expect("it is shaken for so long"));
+                runs.show_run(part * scene.duration.expect("it is shaken for so long"));
                 let part = runs.part(part).expect("all are foreseen");
                 assert!(part > last && part <= 1.0 + 1e-12, "{part} after {last}");
                 last = part;
             }
         }
         assert!((last - 1.0).abs() < 1e-12);
-        runs.show(0.0);
+        runs.show_run(0.0);
         assert_eq!(runs.part(0.0), None);
     }
 }

@@ -1,10 +1,11 @@
-//! The motion of a run as CSV: a row at every multiple of an interval.
+//! The motion of a run: a moment at every multiple of an interval.
 
 use crate::commands::Failure;
 use crate::commands::output::Output;
 use crate::physics::Observation;
 use crate::scene::Scene;
 use crate::scene::parameters::Value;
+use crate::study::export::{Begin, Motion, is_finite};
 use crate::study::{Drive, RunError, natural_time};
 use std::io;
 use std::time::{Duration, Instant};
@@ -35,24 +36,9 @@ enum Stop {
     Output(io::Error),
 }
 
-impl From<Failure> for Stop {
-    fn from(failure: Failure) -> Self {
-        Self::Run(failure)
-    }
-}
-
 impl From<RunError> for Stop {
     fn from(error: RunError) -> Self {
         Self::Run(error.into())
-    }
-}
-
-impl From<csv::Error> for Stop {
-    fn from(error: csv::Error) -> Self {
-        Self::Output(match error.into_kind() {
-            csv::ErrorKind::Io(error) => error,
-            other => io::Error::other(format!("{other:?}")),
-        })
     }
 }
 
@@ -68,20 +54,24 @@ pub(super) fn print(
     scene: &Scene,
     drive: Drive,
     every: f64,
+    begin: Begin,
     mut output: Output,
 ) -> Result<(), Failure> {
-    match rows(scene, drive, every, csv::Writer::from_writer(&mut output)) {
+    let written = begin(scene, &mut output)
+        .map_err(Stop::Output)
+        .and_then(|motion| moments(scene, drive, every, motion));
+    match written {
         Ok(()) => output.finish(),
         Err(Stop::Run(failure)) => Err(failure),
         Err(Stop::Output(error)) => output.judge(Err(error)),
     }
 }
 
-fn rows(
+fn moments(
     scene: &Scene,
     mut drive: Drive,
     every: f64,
-    mut writer: csv::Writer<&mut Output>,
+    mut motion: Box<dyn Motion + '_>,
 ) -> Result<(), Stop> {
     let end = scene.duration.unwrap_or(f64::INFINITY);
     // A last row that rounding would lose is wanted.
@@ -89,12 +79,17 @@ fn rows(
     let mut now = Observation::default();
     let mut flushed = Instant::now();
     let mut row = 0.0;
-    writer.write_record(header(scene))?;
     loop {
         drive.observe(&mut now);
-        writer.serialize(cells(scene, &now)?)?;
+        if !is_finite(&now) {
+            return Err(failed(format!(
+                "the run failed: the motion at {:e} s is not finite",
+                now.time
+            )));
+        }
+        motion.moment(&now)?;
         if flushed.elapsed() > PATIENCE {
-            writer.flush()?;
+            motion.flush()?;
             flushed = Instant::now();
         }
         row += 1.0;
@@ -104,47 +99,15 @@ fn rows(
         }
         if row > MOST_ROWS {
             let time = drive.time();
-            return Err(Stop::Run(Failure::Failed(format!(
+            return Err(failed(format!(
                 "{MOST_ROWS:e} rows are written and the collision is not over at {time:e} s"
-            ))));
+            )));
         }
         drive.advance(end.min(row * every))?;
     }
-    Ok(writer.flush()?)
+    Ok(motion.flush()?)
 }
 
-/// Names of the columns; a lattice also has the places of its beads across.
-fn header(scene: &Scene) -> Vec<String> {
-    let each = |name: &'static str, n: usize| (1..=n).map(move |bead| format!("{name}{bead}"));
-    let across = if scene.sites().is_some() { scene.n } else { 0 };
-    let beads = each("x", across).chain(each("z", scene.n));
-    let head = ["time", "floor"].map(String::from);
-    let tail = ["kinetic", "relative", "sigma"].map(String::from);
-    head.into_iter().chain(beads).chain(tail).collect()
-}
-
-/// The numbers of a row; σ may be none.
-fn cells(scene: &Scene, now: &Observation) -> Result<Vec<Option<f64>>, Failure> {
-    let sigma = now
-        .free_flight
-        .zip(scene.contact_time())
-        .map(|(flight, t_c)| flight / t_c);
-    let head = [now.time, now.floor];
-    let tail = [now.energy.kinetic, now.energy.relative];
-    let cells: Vec<_> = head
-        .iter()
-        .chain(now.discs.iter().flat_map(|discs| &discs.x))
-        .chain(&now.reduced)
-        .chain(&tail)
-        // −0 is a sign that means nothing.
-        .map(|&x| Some(x + 0.0))
-        .chain([sigma])
-        .collect();
-    if cells.iter().flatten().all(|x| x.is_finite()) {
-        return Ok(cells);
-    }
-    Err(Failure::Failed(format!(
-        "the run failed: the motion at {:e} s is not finite",
-        now.time
-    )))
+fn failed(reason: String) -> Stop {
+    Stop::Run(Failure::Failed(reason))
 }

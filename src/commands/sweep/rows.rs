@@ -5,92 +5,34 @@ use crate::scene::Scene;
 use crate::scene::parameters::{self, Value};
 use crate::scene::words::{one_line, quote};
 use crate::study::sweep::Sweep;
-use crate::study::{Results, RunError, Sensitivity, rounded};
+use crate::study::table::Cell;
+use crate::study::{Findings, RunError, quantity};
 use std::fmt::Write;
-
-/// What is measured, with units, in the order of the columns.
-const MEASURED: [(&str, &str); 19] = [
-    ("eps_eff", ""),
-    ("er_over_ef", ""),
-    ("contact_duration", "s"),
-    ("h_cm_mean", "m"),
-    ("h_cm_error", "m"),
-    ("er_over_e_mean", ""),
-    ("er_over_e_error", ""),
-    ("sigma", ""),
-    ("overlap_max", ""),
-    ("energy_drift", ""),
-    ("step_error", ""),
-    ("sensitivity", ""),
-    ("er_over_ef_sensitivity", ""),
-    ("contact_duration_sensitivity", ""),
-    ("er_over_e_mean_sensitivity", ""),
-    ("sigma_sensitivity", ""),
-    ("events", ""),
-    ("steps", ""),
-    ("sim_time", "s"),
-];
-
-/// Where events and steps stand in it.
-const COUNTS: [usize; 2] = [16, 17];
-
-/// Digits of a number that is an error itself.
-const ROUGHLY: usize = 2;
 
 /// What became of one point.
 pub(super) struct Row {
-    results: Option<Cells>,
+    /// A cell for each quantity.
+    results: Option<Vec<Cell>>,
     note: String,
 }
 
-type Cells = [String; MEASURED.len()];
-
 impl Row {
-    /// Of the run of a scene. Results that are no numbers are as good as none.
-    pub fn of(scene: &Scene, outcome: Result<(Results, Sensitivity), RunError>) -> Self {
+    /// Of a run. Results that are no numbers are as good as none.
+    pub fn of(outcome: Result<Findings, RunError>) -> Self {
         let failed = |note: String| Self {
             results: None,
             note,
         };
-        let (results, known) = match outcome {
-            Ok(measured) => measured,
+        let findings = match outcome {
+            Ok(findings) => findings,
             Err(error) => return failed(one_line(&error.to_string())),
         };
-        let rough = |x: Option<f64>| x.map(|x| rounded(x, ROUGHLY));
-        let numbers = [
-            results.eps_eff,
-            results.er_over_ef,
-            results.contact_duration,
-            results.h_cm_mean,
-            rough(results.h_cm_error),
-            results.er_over_e_mean,
-            rough(results.er_over_e_error),
-            results.sigma,
-            rough(results.overlap_max),
-            rough(Some(results.energy_drift)),
-            rough(known.step),
-            rough(known.main()),
-            rough(known.er_over_ef),
-            rough(known.contact_duration),
-            rough(known.er_over_e_mean),
-            rough(known.sigma),
-            None,
-            None,
-            Some(results.sim_time),
-        ];
-        for (x, (name, _)) in numbers.iter().zip(MEASURED) {
-            if x.is_some_and(|x| !x.is_finite()) {
-                return failed(format!("{name} is not a finite number"));
-            }
+        if let Some((name, _)) = findings.not_finite() {
+            return failed(format!("{name} is not a finite number"));
         }
-        let mut cells = numbers.map(|x| x.map_or_else(String::new, number));
-        let soft = scene.is_md();
-        let counted = |is: bool, count: u64| if is { count.to_string() } else { String::new() };
-        cells[COUNTS[0]] = counted(!soft, results.events);
-        cells[COUNTS[1]] = counted(soft, results.steps);
         Self {
-            results: Some(cells),
-            note: results.remarks().join("; "),
+            note: findings.remarks.join("; "),
+            results: Some(findings.all.into_iter().map(|each| each.cell).collect()),
         }
     }
 
@@ -100,8 +42,14 @@ impl Row {
     }
 }
 
-fn number(x: f64) -> String {
-    Value::Number(x).to_string()
+/// A cell as it is written.
+fn written(cell: &Cell) -> String {
+    match cell {
+        Cell::Empty => String::new(),
+        Cell::Word(word) => quoted(word),
+        Cell::Count(count) => count.to_string(),
+        Cell::Number(x) => Value::Number(*x).to_string(),
+    }
 }
 
 /// How the lines of one sweep look.
@@ -146,7 +94,7 @@ impl Format {
             .iter()
             .map(|axis| (axis.parameter.name, axis.parameter.unit));
         let units: Vec<String> = swept
-            .chain(MEASURED)
+            .chain(quantity::of_runs().map(|measured| (measured.name, measured.unit)))
             .filter(|(_, unit)| !unit.is_empty())
             .map(|(name, unit)| format!("{name} {unit}"))
             .collect();
@@ -159,7 +107,7 @@ impl Format {
             // A String takes everything.
             let _ = writeln!(header, "# {line}");
         }
-        let measured = MEASURED.iter().map(|(name, _)| *name);
+        let measured = quantity::of_runs().map(|measured| measured.name);
         let columns: Vec<&'static str> = names
             .iter()
             .copied()
@@ -179,10 +127,12 @@ impl Format {
     /// The line of a row, its end included.
     pub fn line(values: &[Value], row: &Row) -> String {
         let mut line = start(values);
-        let cells = row.results.clone().unwrap_or_default();
-        for cell in &cells {
-            line.push_str(cell);
-            line.push(',');
+        match &row.results {
+            Some(cells) => cells.iter().for_each(|cell| {
+                line.push_str(&written(cell));
+                line.push(',');
+            }),
+            None => quantity::of_runs().for_each(|_| line.push(',')),
         }
         line.push_str(&quoted(&row.note));
         line.push('\n');
@@ -207,7 +157,9 @@ impl Format {
             return Err(format!(": {found} cells, must be {all}"));
         }
         let text = |k: usize| std::str::from_utf8(&cells[k]).unwrap_or("\u{fffd}");
-        let (first, note) = (values.len(), all - 1);
+        let note = all - 1;
+        let of_counts = quantity::of_runs().filter(|measured| measured.is_count());
+        let counts: Vec<&str> = of_counts.map(|measured| measured.name).collect();
         let has_results = !cells[note - 1].is_empty();
         for (k, name) in self.columns.iter().enumerate() {
             let text = text(k);
@@ -221,7 +173,7 @@ impl Format {
             } else if !has_results {
                 let none = "empty, since the row has no results";
                 (text.is_empty(), none.to_owned())
-            } else if COUNTS.contains(&(k - first)) {
+            } else if counts.contains(name) {
                 let is_count = text.is_empty() || text.parse::<u64>().is_ok();
                 (is_count, "a whole number".to_owned())
             } else {

@@ -3,15 +3,14 @@
 use super::units::{self, PREFIXES};
 use super::{Parameter, Value, table};
 use crate::math;
+use crate::numerals::{shortest, trimmed};
 use std::fmt::{self, Display, Formatter};
 
 /// Exactly as it may be typed back: SI units, shortest form.
 impl Display for Value {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Number(x) if x == 0.0 || (1e-4..1e6).contains(&x.abs()) => write!(f, "{x}"),
-            Self::Number(x) if x.is_finite() => write!(f, "{x:e}"),
-            Self::Number(x) => write!(f, "{x}"),
+            Self::Number(x) => f.write_str(&shortest(x, 1e6)),
             Self::Whole(k) => write!(f, "{k}"),
             Self::Flag(on) => write!(f, "{on}"),
             Self::Choice(word) => f.write_str(word),
@@ -89,22 +88,6 @@ fn scientific(x: f64) -> (String, i32) {
     match text.split_once('e') {
         Some((mantissa, power)) => (mantissa.to_owned(), power.parse().unwrap_or(0)),
         None => (text, 0),
-    }
-}
-
-/// Drops zeros at the end, but keeps `least` decimals.
-fn trimmed(text: &str, least: usize) -> String {
-    let Some((whole, decimals)) = text.split_once('.') else {
-        return text.to_owned();
-    };
-    let kept = decimals
-        .trim_end_matches('0')
-        .len()
-        .max(least.min(decimals.len()));
-    if kept == 0 {
-        whole.to_owned()
-    } else {
-        format!("{whole}.{}", &decimals[..kept])
     }
 }
 

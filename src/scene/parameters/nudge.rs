@@ -2,6 +2,7 @@
 
 use super::{Kind, Parameter, Scale, Value};
 use crate::math;
+use crate::numerals::rounded;
 
 /// The value after `steps` key presses up (or down, if negative), within the
 /// parameter's range. Flags toggle; choices go round.
@@ -71,11 +72,6 @@ fn move_number(scale: Scale, x: f64, steps: i32, coarse: bool) -> f64 {
             }
         }
     }
-}
-
-/// `x` to so many significant digits.
-fn rounded(x: f64, digits: usize) -> f64 {
-    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
 fn go_round(words: &'static [&'static str], word: &str, steps: i32) -> Option<&'static str> {

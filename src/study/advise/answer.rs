@@ -6,9 +6,9 @@ use super::probe::{BEYOND_ERRORS, ERRORS, NAUGHT, Probe, Verdict};
 use super::search::Search;
 use super::tables::{self, percent};
 use super::{Advice, Kind, Question, Standing};
+use crate::numerals::significant;
 use crate::scene::Preset;
 use crate::study::accuracy::facts;
-use crate::study::table::significant;
 use crate::study::verdict;
 
 pub(super) fn advice(

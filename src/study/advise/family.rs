@@ -2,6 +2,7 @@
 
 use super::{AdviseError, Against, Kind, Question};
 use crate::math;
+use crate::numerals::rounded;
 use crate::scene::parameters::{Setting, Value, named};
 use crate::scene::preset::Preset;
 use crate::scene::{Law, MethodName, Scene, SceneError};
@@ -9,6 +10,9 @@ use crate::study::vary;
 
 /// A contact time for a scene that has none, s; it is varied anyway.
 const ANY: f64 = 1e-6;
+
+/// Digits of contact times that are tried, so that what is printed is what was run.
+pub(super) const DIGITS: usize = 4;
 
 /// Shortest and longest contact times that are looked at, over the scene's own time:
 /// s_0/|v_0|, a fall by a diameter, or the plate's period. The longest there is one in
@@ -116,7 +120,7 @@ impl Family {
         let mut rung = 0.0;
         let mut ladder = Vec::new();
         while rung <= steps {
-            ladder.push(round(from * math::powf(to / from, rung / steps)));
+            ladder.push(rounded(from * math::powf(to / from, rung / steps), DIGITS));
             rung += 1.0;
         }
         if question.between.is_none() {
@@ -172,9 +176,4 @@ impl Family {
              nothing else has a time to compare it with. All contact times give the same eps_eff.",
         )
     }
-}
-
-/// To four digits, so that what is printed is what was run.
-pub(super) fn round(x: f64) -> f64 {
-    format!("{x:.3e}").parse().unwrap_or(x)
 }

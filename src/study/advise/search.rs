@@ -1,10 +1,11 @@
 //! The search: a ladder of contact times, longer looks where they are not decided, and
 //! bisection of the bracket.
 
-use super::family::{Family, round};
+use super::family::{DIGITS, Family};
 use super::probe::{ERRORS, Outcome, Probe, Verdict};
 use super::{AdviseError, Kind, Question};
 use crate::math;
+use crate::numerals::rounded;
 use crate::study::{Tell, sweep};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -185,7 +186,7 @@ impl<'a> Search<'a> {
         }
         let section = |k: usize| {
             let part = k as f64 / (SECTIONS + 1) as f64;
-            round(low * math::powf(high / low, part))
+            rounded(low * math::powf(high / low, part), DIGITS)
         };
         let mut times: Vec<f64> = (1..=SECTIONS).map(section).collect();
         times.retain(|t| *t > low && *t < high);

@@ -6,8 +6,9 @@ use super::family::Family;
 use super::probe::{ERRORS, Observable, Probe, Reading, Verdict};
 use super::search::Search;
 use super::{Kind, Standing};
+use crate::numerals::{rounded, significant};
 use crate::study::plot::{Axis, Look, Plot, Series};
-use crate::study::table::{Cell, Column, Digits, Table, significant};
+use crate::study::table::{Cell, Column, Digits, Table};
 
 /// The least error that a plot shows, over the tolerance.
 const PLOTTED: f64 = 1e-4;
@@ -15,10 +16,7 @@ const PLOTTED: f64 = 1e-4;
 /// A part as a percentage.
 pub(super) fn percent(part: f64) -> String {
     // Twelve digits: 0.07 is 7 %, whatever its last bit.
-    let percent: f64 = format!("{:.11e}", 100.0 * part)
-        .parse()
-        .unwrap_or(100.0 * part);
-    format!("{percent} %")
+    format!("{} %", rounded(100.0 * part, 12))
 }
 
 /// The limit, the bracket and the scene itself, a row each.

@@ -1,6 +1,7 @@
 //! What the paper says, or theory gives, set beside what comes out.
 
 use super::{Figure, Sheet};
+use crate::numerals::shortest;
 use crate::study::table::{Cell, Column, Digits, Table};
 
 /// A number of the paper or of theory, or a sentence with a number in it.
@@ -115,11 +116,7 @@ impl Claim {
 
 /// A number as a person would write it; −0 is 0.
 fn printed(x: f64) -> String {
-    if x != 0.0 && x.abs() < 1e-4 {
-        format!("{x:e}")
-    } else {
-        (x + 0.0).to_string()
-    }
+    shortest(x + 0.0, f64::INFINITY)
 }
 
 fn columns(figure: &'static str, allowed: &'static str) -> Vec<Column> {

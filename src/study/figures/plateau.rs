@@ -32,13 +32,14 @@ use super::landings::{Landings, dense_share};
 use super::runs::{largest, looks, preset, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
+use crate::numerals::significant;
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
 use crate::study::fit::{median, slope};
 use crate::study::means::{Mean, Means};
 use crate::study::plot::{Axis, Look, Plot, Series};
-use crate::study::table::{Column, Table, significant};
+use crate::study::table::{Column, Table};
 use crate::study::vary;
 use theory::density;
 

@@ -4,11 +4,12 @@ use super::bench::Bench;
 use super::landings::{Landing, Landings, alternation, changes, dense_share, return_time};
 use super::runs::{largest, looks, preset};
 use super::{Claim, FigureError, Sheet};
+use crate::numerals::significant;
 use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
 use crate::study::fit::median;
 use crate::study::plot::{Axis, Look, Plot, Series};
-use crate::study::table::{Cell, Column, Table, significant};
+use crate::study::table::{Cell, Column, Table};
 
 /// Periods that are drawn, and that are counted.
 const DRAWN: f64 = 10.0;

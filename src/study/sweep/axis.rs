@@ -1,6 +1,7 @@
 //! A range of a parameter, as it is typed.
 
 use crate::math;
+use crate::numerals::rounded;
 use crate::scene::SceneError;
 use crate::scene::parameters::{self, Kind, Parameter, Value, named};
 use crate::scene::words::quote;
@@ -177,7 +178,7 @@ fn between(first: f64, last: f64, k: usize, count: usize, log: bool) -> f64 {
     } else {
         first + (last - first) * part
     };
-    format!("{x:.14e}").parse().unwrap_or(x)
+    rounded(x, 15)
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! One of the two columns that are compared, on its way.
 
-use super::{DENSE_SHARE, LANDINGS, Quantity, Verdict, Word};
+use super::{Compared, DENSE_SHARE, LANDINGS, Verdict, Word};
+use crate::numerals::significant;
 use crate::physics::{Engine, Observation, build};
 use crate::scene::{Facts, Scene};
 use crate::study::means::Means;
-use crate::study::table::significant;
 use crate::study::{Allowance, Drive, RunError, Watch, measure};
 use std::ops::Range;
 
@@ -191,7 +191,7 @@ impl Column {
     }
 
     /// What both columns give on a plate of that amplitude, m.
-    pub fn means(&self, hard: &Self, amplitude: f64) -> Result<[Quantity; 2], Missing> {
+    pub fn means(&self, hard: &Self, amplitude: f64) -> Result<[Compared; 2], Missing> {
         let of = |column: &Self| {
             let all = column.settled();
             let share = column.means.share(all.clone());
@@ -201,8 +201,8 @@ impl Column {
         let none = || Missing::Why(format!("{} take too much work", self.whose));
         let ((share, rise), (hard_share, hard_rise)) = both.ok_or_else(none)?;
         Ok([
-            Quantity::energy_share(share, hard_share),
-            Quantity::rise(rise, hard_rise, amplitude),
+            Compared::energy_share(share, hard_share),
+            Compared::rise(rise, hard_rise, amplitude),
         ])
     }
 

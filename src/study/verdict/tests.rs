@@ -15,10 +15,10 @@ fn mean(value: f64, error: f64) -> Mean {
 }
 
 /// E_r/E of 0.40 and `hard` with such errors, and equal rises known to `rise` of them.
-fn pair(hard: f64, error: f64, rise: f64) -> [Quantity; 2] {
+fn pair(hard: f64, error: f64, rise: f64) -> [Compared; 2] {
     [
-        Quantity::energy_share(mean(0.4, error), mean(hard, 0.0)),
-        Quantity::rise(mean(1.0, rise), mean(1.0, 0.0), 0.1),
+        Compared::energy_share(mean(0.4, error), mean(hard, 0.0)),
+        Compared::rise(mean(1.0, rise), mean(1.0, 0.0), 0.1),
     ]
 }
 
@@ -52,12 +52,12 @@ fn a_word_is_clear_of_its_limits_by_two_errors() {
 #[test]
 fn what_is_small_in_both_agrees() {
     for both in [[1e-12, 0.0], [0.009, 0.0], [1.0, 0.96]] {
-        let compared = [Quantity::eps_eff("eps_eff", both)];
+        let compared = [Compared::eps_eff("eps_eff", both)];
         assert_eq!(decide(&compared, SURE), Some(Word::Agreement), "{both:?}");
     }
     // Nearly all is kept, but hard spheres lose six times as much.
     let both = [0.992, 0.95];
-    let compared = [Quantity::eps_eff("eps_eff", both), Quantity::loss(both)];
+    let compared = [Compared::eps_eff("eps_eff", both), Compared::loss(both)];
     assert_eq!(decide(&compared, SURE), Some(Word::Crossover));
 }
 

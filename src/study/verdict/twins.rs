@@ -1,7 +1,7 @@
 //! The scene's soft column and the same column of hard spheres, side by side.
 
 use super::column::{Column, Missing, SLICES};
-use super::{LIKELY, Quantity, SURE, Verdict, decide};
+use super::{Compared, LIKELY, SURE, Verdict, decide};
 use crate::scene::{CollisionRule, Facts, Method, MethodName, Scene, SceneError, Shake};
 use crate::study::{RunError, Watch};
 
@@ -70,7 +70,7 @@ fn launched(
     watch: &mut Watch,
 ) -> Result<Verdict, Missing> {
     let found = [soft.collide(watch)?, hard.collide(watch)?];
-    let compared = [Quantity::eps_eff("eps_eff", found), Quantity::loss(found)];
+    let compared = [Compared::eps_eff("eps_eff", found), Compared::loss(found)];
     let sigma = scene.sigma0();
     let sigma = sigma.map_or_else(String::new, |sigma| format!("; {}", super::sigma0(sigma)));
     Ok(Verdict::of(&compared, decide(&compared, SURE), &sigma))
@@ -79,7 +79,7 @@ fn launched(
 /// A column that falls on a floor at rest: ε_eff of the last bounce, when all are at rest.
 fn falling([soft, hard]: &mut [Column; 2], watch: &mut Watch) -> Result<Verdict, Missing> {
     let found = [soft.settle(watch)?, hard.settle(watch)?];
-    let compared = [Quantity::eps_eff("eps_eff of the last bounce", found)];
+    let compared = [Compared::eps_eff("eps_eff of the last bounce", found)];
     let more = "; the beads touch in the end, where sigma -> 0 at any t_c";
     Ok(Verdict {
         // The bounce of a moment, and of a chaotic motion.

@@ -1,6 +1,7 @@
 //! How long a page is, and how fast simulated time goes.
 
 use crate::math;
+use crate::numerals::trimmed;
 use crate::scene::{Floor, Scene};
 
 /// A speed of the ladder 1, 2, 5, 10 … in simulated seconds in a second.
@@ -45,8 +46,7 @@ pub fn speed_text(factor: f64) -> String {
     } else if factor < 0.95 {
         format!("1/{}", grouped(1.0 / factor))
     } else if factor < 9.5 {
-        let text = format!("{factor:.1}");
-        text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+        trimmed(&format!("{factor:.1}"), 0)
     } else {
         grouped(factor)
     }

@@ -8,6 +8,7 @@ use ratatui::layout::Rect;
 
 use super::text::{columns, line};
 use crate::math;
+use crate::numerals::{rounded, trimmed};
 use crate::scene::parameters::PREFIXES;
 use crate::tui::model::Scale;
 use crate::tui::numbers;
@@ -84,19 +85,13 @@ fn decimal(x: f64, step: f64) -> String {
         reason = "clamped to 0..=30"
     )]
     let decimals = decimals.clamp(0.0, 30.0) as usize;
-    let text = format!("{x:.decimals$}");
-    let text = if decimals > 0 {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &text
-    };
-    if text == "-0" { "0" } else { text }.to_owned()
+    let text = trimmed(&format!("{x:.decimals$}"), 0);
+    if text == "-0" { "0".to_owned() } else { text }
 }
 
 /// Metres in powers of ten, for heights that no prefix suits: three digits.
 fn power_of_ten(x: f64) -> String {
-    let rounded: f64 = format!("{x:.2e}").parse().unwrap_or(x);
-    format!("{rounded:e}")
+    format!("{:e}", rounded(x, 3))
 }
 
 /// Writes the unit behind the highest label that has room for it, or else into a row

@@ -4,49 +4,72 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::text::line;
-use crate::physics::Observation;
-use crate::scene::Scene;
+use crate::study::quantity::{self, Seen};
+use crate::study::table::Cell;
 use crate::tui::model::Model;
 use crate::tui::numbers::{scientific, short, with_unit};
-
-/// A quantity, which scenes have it, and how it is written.
-type Detail = (&'static str, fn(&Scene) -> bool, fn(&Observation) -> String);
 
 /// Columns that a number takes, and a space.
 const NARROWEST: u16 = 9;
 
-/// In the order in which they are given up where there is no room.
-const DETAILS: [Detail; 8] = [
-    ("h_cm", all, |seen| with_unit(seen.centre, "m")),
-    ("drift", all, |seen| scientific(seen.energy.drift)),
-    ("lost", all, |seen| short(seen.energy.lost)),
-    ("plate", moves, |seen| short(seen.energy.plate_work)),
-    ("E_pot", heavy, |seen| short(seen.energy.potential)),
-    (
-        "E_el",
-        |scene| scene.is_md(),
-        |seen| short(seen.energy.elastic),
-    ),
-    ("t_k", all, |seen| {
-        let span = seen
-            .floor_touched
-            .zip(seen.floor_left)
-            .map(|(first, last)| last - first);
-        span.map_or_else(|| "-".into(), |span| with_unit(span, "s"))
-    }),
-    ("count", all, |seen| (seen.steps + seen.events).to_string()),
+/// What only a moment has, beside the quantities that a run gives too.
+const MOMENTARY: [Seen; 5] = [
+    Seen {
+        symbol: "lost",
+        rank: 2,
+        of: |_| true,
+        now: |seen| Cell::Number(seen.energy.lost),
+    },
+    Seen {
+        symbol: "plate",
+        rank: 3,
+        of: |scene| scene.shake().is_some(),
+        now: |seen| Cell::Number(seen.energy.plate_work),
+    },
+    Seen {
+        symbol: "E_pot",
+        rank: 4,
+        of: |scene| scene.gravity.is_some(),
+        now: |seen| Cell::Number(seen.energy.potential),
+    },
+    Seen {
+        symbol: "E_el",
+        rank: 5,
+        of: |scene| scene.is_md(),
+        now: |seen| Cell::Number(seen.energy.elastic),
+    },
+    Seen {
+        symbol: "count",
+        rank: 7,
+        of: |_| true,
+        now: |seen| Cell::Count(seen.steps + seen.events),
+    },
 ];
 
-fn all(_: &Scene) -> bool {
-    true
+/// A quantity, its unit, and whether it is an error.
+type Detail = (Seen, &'static str, bool);
+
+/// In the order in which they are given up where there is no room, the last one first.
+fn details() -> Vec<Detail> {
+    let of_runs = quantity::table()
+        .iter()
+        .filter_map(|quantity| Some((quantity.seen?, quantity.unit, quantity.is_rough())));
+    let mut all: Vec<Detail> = of_runs
+        .chain(MOMENTARY.map(|seen| (seen, "", false)))
+        .collect();
+    all.sort_by_key(|(seen, ..)| seen.rank);
+    all
 }
 
-fn moves(scene: &Scene) -> bool {
-    scene.shake().is_some()
-}
-
-fn heavy(scene: &Scene) -> bool {
-    scene.gravity.is_some()
+fn written(cell: Cell, unit: &str, is_rough: bool) -> String {
+    match cell {
+        Cell::Empty => "-".to_owned(),
+        Cell::Word(word) => word,
+        Cell::Count(count) => count.to_string(),
+        Cell::Number(x) if !unit.is_empty() => with_unit(x, unit),
+        Cell::Number(x) if is_rough => scientific(x),
+        Cell::Number(x) => short(x),
+    }
 }
 
 /// Draws a table: a quantity a line, a column of beads a column.
@@ -62,9 +85,10 @@ pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
         return;
     }
     let scenes = model.bench.scenes();
-    let shown = DETAILS.iter().filter(|(_, has, _)| scenes.iter().any(has));
-    for (row, (name, _, write)) in (1..area.height).zip(shown) {
-        line(theme, buffer, area, row).put(name, theme.quiet());
+    let mut shown = details();
+    shown.retain(|(seen, ..)| scenes.iter().any(seen.of));
+    for (row, (seen, unit, is_rough)) in (1..area.height).zip(shown) {
+        line(theme, buffer, area, row).put(seen.symbol, theme.quiet());
         for (index, side) in (0..count).zip(sides) {
             let cell = Rect {
                 x: area.x + 6 + index * width,
@@ -72,7 +96,8 @@ pub fn render(model: &Model, area: Rect, buffer: &mut Buffer) {
                 ..area
             };
             let style = theme.side(usize::from(index));
-            line(theme, buffer, cell, row).number(&write(&side.seen), style);
+            line(theme, buffer, cell, row)
+                .number(&written((seen.now)(&side.seen), unit, is_rough), style);
         }
     }
 }

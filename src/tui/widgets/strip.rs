@@ -16,7 +16,7 @@ use crate::tui::numbers;
 
 /// What a history shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub enum Graphed {
     /// Kinetic energy E.
     Kinetic,
     /// E_r/E: how much of it is motion of the beads against each other.
@@ -28,17 +28,17 @@ const DECADES: f64 = 4.0;
 /// E_r/E of beads that move as one, their velocities each off by a last bit or some.
 const ROUNDING: f64 = 1e-28;
 
-impl Quantity {
+impl Graphed {
     /// Its name, longest first.
     fn titles(self) -> &'static [&'static str] {
         match self {
-            Quantity::Kinetic => &[
+            Graphed::Kinetic => &[
                 "kinetic energy E per mass, m²/s²",
                 "kinetic energy E",
                 "energy E",
                 "E",
             ],
-            Quantity::Relative => &[
+            Graphed::Relative => &[
                 "E_r/E: relative motion's part of E",
                 "E_r/E relative part",
                 "E_r/E",
@@ -48,9 +48,9 @@ impl Quantity {
 
     fn of(self, kinetic: f64, relative: f64) -> f64 {
         match self {
-            Quantity::Kinetic => kinetic,
-            Quantity::Relative if relative > ROUNDING * kinetic => relative / kinetic,
-            Quantity::Relative => 0.0,
+            Graphed::Kinetic => kinetic,
+            Graphed::Relative if relative > ROUNDING * kinetic => relative / kinetic,
+            Graphed::Relative => 0.0,
         }
     }
 
@@ -61,7 +61,7 @@ impl Quantity {
 
     /// The upper end of the axis as a power of ten.
     fn top(self, model: &Model) -> f64 {
-        if self == Quantity::Relative {
+        if self == Graphed::Relative {
             return 0.0;
         }
         let rows = model
@@ -82,7 +82,7 @@ impl Quantity {
 }
 
 /// Draws the history into the area, its title into the rule above.
-pub fn render(model: &Model, quantity: Quantity, area: Rect, buffer: &mut Buffer) {
+pub fn render(model: &Model, quantity: Graphed, area: Rect, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
     }
@@ -130,7 +130,7 @@ fn label_axis(model: &Model, top: f64, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-fn draw(model: &Model, quantity: Quantity, top: f64, area: Rect, buffer: &mut Buffer) {
+fn draw(model: &Model, quantity: Graphed, top: f64, area: Rect, buffer: &mut Buffer) {
     let mut raster = Raster::new(area);
     // What is too small for the axis, 0 included, runs along its lower end.
     let place = |row: &Row| {

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::strip::Quantity;
+use super::strip::Graphed;
 use super::text::{columns, fitted, line};
 use crate::study::verdict::Word;
 use crate::tui::model::Model;
@@ -81,7 +81,7 @@ pub fn relative(model: &Model, width: u16) -> Option<Pieces> {
         .iter()
         .enumerate()
         .map(|(index, side)| {
-            let share = Quantity::Relative.now(&side.seen.energy);
+            let share = Graphed::Relative.now(&side.seen.energy);
             (model.label(index), short(share))
         })
         .collect();

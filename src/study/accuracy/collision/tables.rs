@@ -1,6 +1,7 @@
 //! The report on a floor collision.
 
 use crate::math;
+use crate::numerals::{digits, rounded};
 use std::collections::BTreeMap;
 
 use super::{Errors, ROUNDING, Row, Run};
@@ -9,7 +10,6 @@ use crate::study::accuracy::Report;
 use crate::study::fit::{median, slope};
 use crate::study::plot::{Axis, Plot, Series};
 use crate::study::table::{Cell, Column, Digits, Table};
-use crate::study::{digits, rounded};
 
 pub(super) fn report(rows: &[Row], truth: &Run, sensitivity: Errors) -> Report {
     Report {
