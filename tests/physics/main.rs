@@ -18,6 +18,7 @@ mod exact_motion;
 mod exact_random;
 mod lattice;
 mod lattice_reference;
+mod matrix;
 mod paper;
 mod plate;
 mod power_law_runs;
