@@ -3,6 +3,9 @@
 #[path = "../support/program.rs"]
 mod program;
 
+mod source;
+
+mod circles;
 mod preset_files;
 mod presets;
 mod rooms;

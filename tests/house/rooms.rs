@@ -1,7 +1,124 @@
-//! The directions in which rooms may depend on each other.
+//! The directions in which rooms may depend on each other, and what is none of their business.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use crate::source::Source;
+
+/// Each room, and the rooms that it may name, in tests of its own too.
+const ROOMS: [(&str, &[&str]); 8] = [
+    ("math", &[]),
+    ("scene", &["math"]),
+    ("physics", &["math", "scene"]),
+    ("study", &["math", "scene", "physics"]),
+    ("live", &["math", "scene", "physics"]),
+    ("tui", &["math", "scene", "physics", "study", "live"]),
+    ("cli", &["scene"]),
+    (
+        "commands",
+        &["math", "scene", "physics", "study", "live", "tui", "cli"],
+    ),
+];
+
+/// The terminal.
+const SCREEN: [&str; 3] = ["ratatui", "crossterm", "vte"];
+
+/// What the program's surroundings are reached by.
+const OUTSIDE: [&str; 7] = [
+    "std::io",
+    "std::fs",
+    "std::env",
+    "std::process",
+    "std::thread",
+    "std::time",
+    "crossbeam_channel",
+];
+
+/// What a room names of these, as `module: path`.
+fn named(source: &Source, room: &str, forbidden: &[&str]) -> Vec<String> {
+    let mut found = Vec::new();
+    for module in source
+        .modules()
+        .filter(|module| module.first().is_some_and(|r| r == room))
+    {
+        for path in source.paths(module).iter().map(|path| path.join("::")) {
+            let is = |of: &&&str| path == **of || path.starts_with(&format!("{of}::"));
+            if forbidden.iter().any(|of| is(&of)) {
+                found.push(format!("{}: {path}", module.join("::")));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn rooms_name_none_above_them() {
+    let source = Source::read(true);
+    let rooms: BTreeSet<&str> = ROOMS.iter().map(|(room, _)| *room).collect();
+    let there: BTreeSet<&str> = source
+        .modules()
+        .filter_map(|module| module.first().map(String::as_str))
+        .collect();
+    assert_eq!(rooms, there, "every room has its place in the list");
+    let mut wrong = Vec::new();
+    for module in source.modules() {
+        let Some(room) = module.first() else { continue };
+        let allowed = ROOMS.iter().find(|(name, _)| name == room);
+        let (_, allowed) = allowed.expect("just compared");
+        for path in source.paths(module) {
+            let Some(other) = source
+                .home(module, path)
+                .and_then(|home| home.first().cloned())
+            else {
+                continue;
+            };
+            if other != *room && !allowed.contains(&other.as_str()) {
+                wrong.push(format!("{}: {}", module.join("::"), path.join("::")));
+            }
+        }
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+#[test]
+fn physics_is_pure() {
+    let source = Source::read(true);
+    for room in ["math", "physics"] {
+        let forbidden = [&SCREEN[..], &OUTSIDE].concat();
+        assert_eq!(named(&source, room, &forbidden), Vec::<String>::new());
+    }
+    assert!(
+        !named(&source, "physics", &["std::f64"]).is_empty(),
+        "paths are seen at all"
+    );
+}
+
+#[test]
+fn only_the_face_knows_a_screen() {
+    let source = Source::read(true);
+    for room in ["scene", "study", "live"] {
+        assert_eq!(named(&source, room, &SCREEN), Vec::<String>::new());
+    }
+    assert!(
+        !named(&source, "tui", &SCREEN).is_empty(),
+        "it is seen at all"
+    );
+}
+
+/// Studies return what they find; commands write it.
+#[test]
+fn studies_and_physics_write_nothing() {
+    let source = Source::read(true);
+    assert_eq!(named(&source, "study", &["std::fs"]), Vec::<String>::new());
+    for file in ["math", "scene", "physics", "study"]
+        .iter()
+        .flat_map(|name| room(name))
+    {
+        let text = fs::read_to_string(&file).expect("a readable source file");
+        assert!(!text.contains("println!"), "{}", file.display());
+    }
+}
 
 fn rust_files(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
@@ -27,89 +144,6 @@ fn room(name: &str) -> Vec<PathBuf> {
     };
     files.push(source.join(name).with_extension("rs"));
     files
-}
-
-fn mentions(room_name: &str, forbidden: &[&str]) -> Vec<String> {
-    let mut found = Vec::new();
-    for file in room(room_name) {
-        let text = fs::read_to_string(&file).expect("a readable source file");
-        for word in forbidden.iter().filter(|word| text.contains(**word)) {
-            found.push(format!("{}: {word}", file.display()));
-        }
-    }
-    found
-}
-
-const OUTSIDE: [&str; 8] = [
-    "std::io",
-    "std::fs",
-    "std::thread",
-    "std::time",
-    "ratatui",
-    "crossterm",
-    "crossbeam",
-    "println!",
-];
-
-#[test]
-fn mathematics_knows_no_room() {
-    assert_eq!(mentions("math", &["crate::"]), Vec::<String>::new());
-}
-
-#[test]
-fn physics_is_pure() {
-    assert!(
-        room("physics").len() > 10,
-        "the room is where this test looks"
-    );
-    let mut forbidden = OUTSIDE.to_vec();
-    forbidden.extend([
-        "crate::study",
-        "crate::live",
-        "crate::tui",
-        "crate::commands",
-        "crate::cli",
-    ]);
-    assert_eq!(mentions("physics", &forbidden), Vec::<String>::new());
-}
-
-#[test]
-fn scenes_know_no_physics_and_no_face() {
-    let forbidden = [
-        "crate::physics",
-        "crate::study",
-        "crate::live",
-        "crate::tui",
-        "crate::commands",
-        "ratatui",
-    ];
-    assert_eq!(mentions("scene", &forbidden), Vec::<String>::new());
-}
-
-#[test]
-fn the_simulation_thread_knows_no_screen() {
-    let forbidden = [
-        "crate::study",
-        "crate::tui",
-        "crate::commands",
-        "ratatui",
-        "crossterm",
-    ];
-    assert_eq!(mentions("live", &forbidden), Vec::<String>::new());
-}
-
-#[test]
-fn studies_know_no_face() {
-    let forbidden = [
-        "crate::live",
-        "crate::tui",
-        "crate::commands",
-        "crate::cli",
-        "crossterm",
-        "std::fs",
-        "println!",
-    ];
-    assert_eq!(mentions("study", &forbidden), Vec::<String>::new());
 }
 
 /// A law answers for itself: who names its variants elsewhere would silently do without a

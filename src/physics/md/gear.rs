@@ -5,8 +5,10 @@
 
 use super::chain::{Chain, Forces};
 use super::ground::Ground;
-use super::lanes::{BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours};
 use super::stepper::{Power, Stepper};
+use crate::physics::lanes::{
+    BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours,
+};
 
 /// Corrector coefficients for a second-order equation whose force depends on
 /// velocity (3/16 in place of 3/20).

@@ -3,11 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::line;
 use crate::physics::Observation;
 use crate::scene::Scene;
 use crate::tui::model::Model;
 use crate::tui::numbers::{scientific, short, with_unit};
+use crate::tui::text::line;
 
 /// A quantity, which scenes have it, and how it is written.
 type Detail = (&'static str, fn(&Scene) -> bool, fn(&Observation) -> String);

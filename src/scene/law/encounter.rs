@@ -7,7 +7,7 @@
 use crate::math;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::law::PowerLaw;
+use super::PowerLaw;
 
 /// The angle as a function of s ∈ (−∞, ∞) that takes the fractional powers at both ends
 /// of a contact out of every integral (the double-exponential substitution).
