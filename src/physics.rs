@@ -15,6 +15,7 @@ mod ed;
 mod exact;
 mod flight;
 mod grid;
+mod lanes;
 mod lattice;
 mod ledger;
 mod linear_law;
@@ -29,8 +30,8 @@ mod steered;
 mod tournament;
 
 pub(crate) use column::masses;
-pub use column::restitution_range;
-pub use linear_law::{LinearLaw, floor_restitution};
+pub use column::{floor_restitution, restitution_range};
+pub use linear_law::LinearLaw;
 pub use observation::{Discs, Energies, Energy, Integrals, Observation};
 pub use state::{Handover, State};
 

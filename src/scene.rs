@@ -5,7 +5,6 @@
 //! contact time. So no engine can pay for it and no panel can show it.
 
 mod draft;
-mod encounter;
 mod error;
 pub mod lattice;
 mod law;
@@ -18,9 +17,8 @@ mod validate;
 pub(crate) mod words;
 
 pub use draft::Draft;
-pub use encounter::rebound;
 pub use error::SceneError;
-pub use law::{Exponents, Law, LawName, PowerLaw};
+pub use law::{Exponents, Law, LawName, PowerLaw, rebound};
 pub use method::MethodName;
 pub use parts::{GridSettings, Launch, Shake, Soft};
 pub use preset::Preset;

@@ -17,6 +17,7 @@ mod numbers;
 pub mod outbox;
 mod screen;
 pub mod signals;
+mod text;
 pub mod theme;
 pub mod tmux;
 mod tty;

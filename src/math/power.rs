@@ -5,7 +5,7 @@
 //! digits (Tang, ACM Trans. Math. Softw. 16, 378, 1990); its p-fold goes back through a table
 //! of 2^(j/128). Both tables are worked out when the program is built.
 
-use super::twice::{Twice, leading};
+use super::twice::{SHIFT, Twice, leading, whole};
 
 /// 2^7 entries for an octave.
 const BITS: u32 = 7;
@@ -86,14 +86,6 @@ const fn roots() -> [Root; SIZE] {
         j += 1;
     }
     all
-}
-
-/// Next to this large number are whole numbers only.
-const SHIFT: f64 = 1.5 * (1_u64 << 52) as f64;
-
-/// The whole number next to x, |x| < 2^50.
-pub const fn whole(x: f64) -> f64 {
-    x + SHIFT - SHIFT
 }
 
 /// The powers of x where neither they nor x are far from 1: x > 0 has all its digits, and

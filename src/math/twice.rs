@@ -79,9 +79,17 @@ impl Twice {
 
     /// The next whole multiple of `grain`, a power of two, and the rest.
     pub const fn grained(self, grain: f64) -> (f64, f64) {
-        let whole = super::power::whole(self.high / grain) * grain;
+        let whole = whole(self.high / grain) * grain;
         (whole, self.high - whole + self.low)
     }
+}
+
+/// Next to this large number are whole numbers only.
+pub const SHIFT: f64 = 1.5 * (1_u64 << 52) as f64;
+
+/// The whole number next to x, |x| < 2^50.
+pub const fn whole(x: f64) -> f64 {
+    x + SHIFT - SHIFT
 }
 
 /// The number of x's leading 26 digits.

@@ -55,6 +55,26 @@ pub fn restitution_range(scene: &Scene) -> Option<(f64, f64)> {
     Some(pairs[1..].iter().fold((least, most), range))
 }
 
+/// Restitution of the floor contact in force in a scene; under a power law that of a
+/// bead that arrives at the scene's own speed.
+pub fn floor_restitution(scene: &Scene) -> f64 {
+    if let Some(soft) = scene.soft() {
+        let masses = masses(scene);
+        let floor = springs(scene, &masses)[0];
+        let law = alone(soft.law, &floor, masses[0]);
+        if let Some(restitution) = law.rebound(soft.attraction, scene.own_speed()) {
+            return restitution;
+        }
+    }
+    match scene.floor_contact {
+        FloorContact::SameRestitution => scene.restitution,
+        FloorContact::SameSpring => {
+            let first = diameters(scene)[0] / scene.diameter;
+            same_spring_floor(scene.restitution, math::powi(first, 3))
+        }
+    }
+}
+
 /// Spring and dashpot of every contact of a soft column; index 0 is the floor's. Hard
 /// beads have none.
 pub(crate) fn springs(scene: &Scene, masses: &[f64]) -> Vec<Spring> {

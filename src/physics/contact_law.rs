@@ -5,7 +5,7 @@
 //! laws: a new one does not compile until both know it.
 
 use super::Engine;
-use super::md::Number;
+use super::lanes::Number;
 use super::spring::Spring;
 use crate::scene::{Law, Soft};
 

@@ -173,8 +173,8 @@ impl ContactLog {
         self.free_flight(self.last?)
     }
 
-    /// Mean free flight between successive contacts of the same pair, s (DESIGN §1:
-    /// a pair that flies now counts once it has flown longer than the mean).
+    /// Mean free flight between successive contacts of the same pair, s. A pair that flies
+    /// now counts once it has flown longer than the mean.
     pub fn free_flight(&self, time: f64) -> Option<f64> {
         let (sum, count) = self.flights.sum(time);
         let mean = if count == 0 { 0.0 } else { sum / count as f64 };

@@ -2,9 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::column::{alone, masses, springs};
 use crate::math;
-use crate::scene::{FloorContact, Scene, diameters};
 
 /// The linear law of a pair of mean beads, from its restitution and contact time.
 ///
@@ -96,26 +94,6 @@ fn damped_rebound(mean: f64, share_of_mu: f64, reduced: f64) -> f64 {
     math::exp(-PI * share_of_mu * (s / discriminant).sqrt())
 }
 
-/// Restitution of the floor contact in force in a scene; under a power law that of a
-/// bead that arrives at the scene's own speed.
-pub fn floor_restitution(scene: &Scene) -> f64 {
-    if let Some(soft) = scene.soft() {
-        let masses = masses(scene);
-        let floor = springs(scene, &masses)[0];
-        let law = alone(soft.law, &floor, masses[0]);
-        if let Some(restitution) = law.rebound(soft.attraction, scene.own_speed()) {
-            return restitution;
-        }
-    }
-    match scene.floor_contact {
-        FloorContact::SameRestitution => scene.restitution,
-        FloorContact::SameSpring => {
-            let first = diameters(scene)[0] / scene.diameter;
-            same_spring_floor(scene.restitution, math::powi(first, 3))
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -135,7 +113,7 @@ mod tests {
 
     #[test]
     fn floor_of_the_paper() {
-        // DESIGN §1: 0.928226 for ε = 0.9; the direct form of the same formula.
+        // 0.928226 for ε = 0.9; the direct form of the same formula.
         let law = LinearLaw::new(0.9, 0.7e-5);
         let direct =
             (-PI * law.mu() / (2.0 * law.omega0_squared() - law.mu().powi(2)).sqrt()).exp();

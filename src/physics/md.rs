@@ -9,7 +9,6 @@ mod chain;
 mod engine;
 mod gear;
 mod ground;
-mod lanes;
 mod mover;
 mod stepper;
 mod verlet;
@@ -28,7 +27,6 @@ use engine::Md;
 use gear::Gear;
 pub(super) use gear::{CORRECTOR, corrected, predicted};
 use ground::{Free, Ground, Shaken, Weight};
-pub(super) use lanes::{Number, flushed};
 use stepper::Stepper;
 use verlet::Verlet;
 

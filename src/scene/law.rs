@@ -1,11 +1,14 @@
 //! The laws of a soft contact, Eq. (8), and the change from one to another.
 
-use crate::math;
-use crate::numerals::rounded;
-use std::f64::consts::PI;
+mod encounter;
+
+pub use encounter::rebound;
 
 use super::Solver;
-use super::encounter::{rebound, undamped_shape};
+use crate::math;
+use crate::numerals::rounded;
+use encounter::undamped_shape;
+use std::f64::consts::PI;
 
 /// Tolerance of the adaptive method where nobody says otherwise.
 const COMMON_TOLERANCE: f64 = 1e-10;

@@ -6,6 +6,7 @@
 
 mod candidates;
 mod collision;
+mod compared;
 mod phases;
 mod plate;
 

@@ -20,6 +20,7 @@ mod plateau;
 mod runs;
 mod shaken;
 mod table1;
+mod touching;
 
 pub use claim::{Claim, claims, summary};
 

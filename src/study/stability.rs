@@ -6,10 +6,12 @@ mod judge;
 mod reference;
 mod runs;
 mod steps;
+mod verdict;
 
 pub use cases::{Case, cases};
-pub use judge::{Judgement, Verdict, judge};
+pub use judge::judge;
 pub use steps::{Limit, limits};
+pub use verdict::{Judgement, Verdict};
 
 use super::SLICE;
 use super::Tell;

@@ -3,9 +3,10 @@
 
 use std::time::{Duration, Instant};
 
+use super::text::{columns, wrapped};
 use super::theme::Theme;
-use super::widgets::text::{columns, wrapped};
 use crate::scene::Preset;
+use ratatui::layout::Rect;
 
 /// Reading goes at about so many characters a second, which is slow, and begins when a
 /// changed line has been noticed and found.
@@ -89,6 +90,11 @@ pub fn texts(preset: &Preset) -> [Text; 3] {
         label,
         sentences: text.clone(),
     })
+}
+
+/// Columns for texts in an area.
+pub fn text_width(area: Rect) -> u16 {
+    area.width.saturating_sub(2)
 }
 
 /// The texts in turns of at most `rows` lines of `width` columns: as many sentences of a text

@@ -6,10 +6,10 @@ use ratatui::layout::Rect;
 
 use super::layout::{Layout, layout};
 use super::model::{Model, Overlay};
+use super::text::fitted;
 use super::widgets::beads::Beads;
 use super::widgets::discs::Plane;
 use super::widgets::strip::Graphed;
-use super::widgets::text::fitted;
 use super::widgets::trace::Trace;
 use super::widgets::{
     accuracy, axis, footer, header, help, menu, parameters, prompt, rules, sigma, strip, time,

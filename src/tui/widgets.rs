@@ -15,7 +15,6 @@ pub mod raster;
 pub mod rules;
 pub mod sigma;
 pub mod strip;
-pub mod text;
 pub mod time;
 pub mod title;
 pub mod trace;

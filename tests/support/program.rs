@@ -1,5 +1,5 @@
 //! The built program, run as a user runs it.
-#![allow(dead_code, reason = "every test uses its own part of this")]
+#![allow(dead_code, reason = "every room uses its own part of this")]
 
 use std::fs;
 use std::path::PathBuf;

@@ -2,7 +2,7 @@
 
 use super::forces::{LatticeForces, Surface};
 use crate::physics::contact_law::ContactLaw;
-use crate::physics::md::flushed;
+use crate::physics::lanes::flushed;
 
 /// An integrator. Its state is displacements and rates, all across, then all up.
 pub(super) trait PlaneStepper: Send + Sized {

@@ -1,7 +1,7 @@
 //! Forces in the contacts of a chain, and the accelerations of its gaps.
 
-use super::lanes::{LANES, Lane, grouped, neighbours};
 use crate::physics::contact_law::ContactLaw;
+use crate::physics::lanes::{LANES, Lane, grouped, neighbours};
 
 /// Contacts and masses of a chain.
 pub(crate) trait Chain: Send {

@@ -6,8 +6,10 @@
 
 use super::chain::{Chain, Forces};
 use super::ground::Ground;
-use super::lanes::{BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours};
 use super::stepper::{Power, Stepper};
+use crate::physics::lanes::{
+    BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours,
+};
 
 /// Gear's coefficients c_k for a second-order equation. The first is 3/16 where the force
 /// depends on velocity, 3/20 where it does not.

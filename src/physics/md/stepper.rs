@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use super::ground::Ground;
-use super::lanes::Lane;
+use crate::physics::lanes::Lane;
 use crate::physics::ledger::Ledger;
 
 /// What an integrator does. Its state is gaps, rates and derivatives of its own.

@@ -6,10 +6,10 @@
 
 use super::chain::{Chain, Forces};
 use super::ground::Ground;
-use super::lanes::{
+use super::stepper::{Power, Stepper};
+use crate::physics::lanes::{
     BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours, singly,
 };
-use super::stepper::{Power, Stepper};
 
 pub(crate) struct Verlet {
     n: usize,

@@ -2,7 +2,7 @@
 //! chance, and a single run has one chance of many.
 
 use super::Candidate;
-use super::collision::{Errors, Run};
+use super::compared::{Errors, Run};
 use crate::physics::{Engine, build};
 use crate::scene::Scene;
 use crate::study::{Drive, RunError, Watch, measure, sensitivity};

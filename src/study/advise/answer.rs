@@ -2,8 +2,8 @@
 
 use super::cost::Cost;
 use super::family::Family;
-use super::probe::{BEYOND_ERRORS, ERRORS, NAUGHT, Probe, Verdict};
-use super::search::Search;
+use super::probe::{BEYOND_ERRORS, ERRORS, NAUGHT, Probe};
+use super::search::{Search, in_full};
 use super::tables::{self, percent};
 use super::{Advice, Kind, Question, Standing};
 use crate::numerals::significant;
@@ -19,7 +19,7 @@ pub(super) fn advice(
     cost: Option<Vec<Cost>>,
     judged: &verdict::Verdict,
 ) -> Advice {
-    let mut answer = tables::answer(search, family);
+    let mut answer = tables::answer(search);
     answer.title = title(search, preset);
     answer.notes = notes(search, family);
     answer.notes.insert(0, on_the_scene(judged, search.kind));
@@ -37,7 +37,7 @@ pub(super) fn advice(
     for table in [&mut answer, &mut curve, &mut cost] {
         table.facts = facts(&preset.scene, &preset.name);
         let more = [
-            ("against", against(search)),
+            ("against", search.against()),
             ("tolerance", question.tolerance.to_string()),
             ("scene_verdict", word(judged).to_owned()),
         ];
@@ -69,19 +69,6 @@ fn word(judged: &verdict::Verdict) -> &'static str {
     judged.word.map_or("no verdict", verdict::Word::as_str)
 }
 
-/// The limit in a few words.
-pub(super) fn against(search: &Search) -> String {
-    match search.limit.contact_time {
-        None => "hard spheres".to_owned(),
-        Some(time) => format!("t_c = {} s", short(time)),
-    }
-}
-
-/// A contact time with the digits that it has.
-pub(super) fn short(x: f64) -> String {
-    format!("{x:e}")
-}
-
 /// The names of what is judged.
 fn judged(kind: Kind) -> String {
     let names = kind.observables().iter().filter(|o| o.judged);
@@ -92,13 +79,13 @@ fn judged(kind: Kind) -> String {
 fn time(probe: Option<&Probe>) -> String {
     probe
         .and_then(|probe| probe.contact_time)
-        .map_or_else(String::new, short)
+        .map_or_else(String::new, in_full)
 }
 
 /// The answer in one line.
 fn title(search: &Search, preset: &Preset) -> String {
     let (name, what) = (&preset.name, judged(search.kind));
-    let (part, limit) = (percent(search.question.tolerance), against(search));
+    let (part, limit) = (percent(search.question.tolerance), search.against());
     match search.standing() {
         Standing::Found => format!(
             "{name}: t_c up to {} s keeps {what} within {part} of {limit}",
@@ -248,11 +235,4 @@ fn unseen(search: &Search) -> Option<String> {
         search.silent.len(),
         time(Some(first))
     ))
-}
-
-/// The verdict on the scene's own contact time.
-pub(super) fn own<'a>(search: &'a Search, family: &Family) -> Option<(&'a Probe, Verdict)> {
-    let own = family.own?;
-    let mut both = search.probes.iter().zip(search.verdicts());
-    both.find(|(probe, _)| probe.contact_time == Some(own))
 }

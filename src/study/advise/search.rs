@@ -109,6 +109,21 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// The limit in a few words.
+    pub fn against(&self) -> String {
+        match self.limit.contact_time {
+            None => "hard spheres".to_owned(),
+            Some(time) => format!("t_c = {} s", in_full(time)),
+        }
+    }
+
+    /// The verdict on the scene's own contact time.
+    pub fn own(&self) -> Option<(&Probe, Verdict)> {
+        let own = self.family.own?;
+        let mut both = self.probes.iter().zip(self.verdicts());
+        both.find(|(probe, _)| probe.contact_time == Some(own))
+    }
+
     /// What the search is at, and its end at the latest: when it is sure nobody knows.
     fn told(&self, what: &str) -> String {
         let time = self.question.time.as_secs_f64();
@@ -344,4 +359,9 @@ fn look(
             ControlFlow::Continue(())
         },
     );
+}
+
+/// A contact time with the digits that it has.
+pub(super) fn in_full(time: f64) -> String {
+    format!("{time:e}")
 }

@@ -1,10 +1,8 @@
 //! The answer, the costs and the curve as tables and as a picture.
 
-use super::answer::{against, own, short};
 use super::cost::Cost;
-use super::family::Family;
 use super::probe::{ERRORS, Observable, Probe, Reading, Verdict};
-use super::search::Search;
+use super::search::{Search, in_full};
 use super::{Kind, Standing};
 use crate::numerals::{rounded, significant};
 use crate::study::plot::{Axis, Look, Plot, Series};
@@ -20,7 +18,7 @@ pub(super) fn percent(part: f64) -> String {
 }
 
 /// The limit, the bracket and the scene itself, a row each.
-pub(super) fn answer(search: &Search, family: &Family) -> Table {
+pub(super) fn answer(search: &Search) -> Table {
     let four = Digits::Significant(4);
     let sigma = match search.kind {
         Kind::Launched => "sigma_0",
@@ -59,7 +57,7 @@ pub(super) fn answer(search: &Search, family: &Family) -> Table {
         cells.push(verdict.map(Verdict::word).into());
         table.push(cells);
     };
-    push("limit", against(search), &search.limit, None);
+    push("limit", search.against(), &search.limit, None);
     if let Some(longest) = search.longest() {
         push(
             "longest",
@@ -88,7 +86,7 @@ pub(super) fn answer(search: &Search, family: &Family) -> Table {
             Some(Verdict::Beyond),
         );
     }
-    if let Some((probe, verdict)) = own(search, family) {
+    if let Some((probe, verdict)) = search.own() {
         push("scene", "this scene".to_owned(), probe, Some(verdict));
     }
     table
@@ -184,7 +182,7 @@ pub(super) fn cost(costs: &[Cost], search: &Search) -> Table {
         Column::new("failure", "", ""),
     ];
     let longest = search.longest().and_then(|probe| probe.contact_time);
-    let at = longest.map_or_else(String::new, short);
+    let at = longest.map_or_else(String::new, in_full);
     let mut table = Table::new(
         "advise-cost",
         format!("What it costs at t_c = {at} s"),
@@ -278,13 +276,13 @@ pub(super) fn plot(search: &Search) -> Plot {
     let name = format!("tolerance {}", significant(tolerance, 2));
     series.push(Series::new(name, across).with(Look::Line));
     if let Some(longest) = search.longest().and_then(|probe| probe.contact_time) {
-        let name = format!("t_c = {} s", short(longest));
+        let name = format!("t_c = {} s", in_full(longest));
         let up = vec![(longest, least), (longest, tolerance)];
         series.push(Series::new(name, up).with(Look::Line));
     }
     Plot {
         name: "advise".to_owned(),
-        title: format!("How far soft contacts are from {}", against(search)),
+        title: format!("How far soft contacts are from {}", search.against()),
         x: Axis::log("t_c, s"),
         y: Axis::log("difference over the limit"),
         series,

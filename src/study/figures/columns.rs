@@ -2,11 +2,11 @@
 
 use super::bench::Bench;
 use super::limits;
-use super::runs::{largest, preset, results, smallest};
+use super::runs::{largest, results, smallest};
+use super::touching::{CONTACT_TIME, eps, run, scene};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
-use crate::scene::parameters::Value;
-use crate::scene::{MethodName, Scene};
+use crate::scene::MethodName;
 use crate::study::Results;
 use crate::study::accuracy::facts;
 use crate::study::fit::slope;
@@ -16,31 +16,9 @@ use crate::study::table::{Column, Table};
 const LENGTHS: [u64; 7] = [1, 2, 5, 10, 20, 50, 100];
 const RESTITUTIONS: [f64; 5] = [0.6, 0.8, 0.9, 0.95, 0.975];
 
-/// The text's v₀, m/s, and t_c, s; the caption has 0.05 m/s.
+/// The text's v₀, m/s; the caption has 0.05 m/s.
 const SPEED: f64 = 0.2;
 const CAPTION_SPEED: f64 = 0.05;
-const CONTACT_TIME: f64 = 0.2e-4;
-
-/// Its scene.
-pub(super) fn scene(n: u64, restitution: f64, speed: f64) -> Result<Scene, FigureError> {
-    let values = [
-        ("n", Value::Whole(n)),
-        ("restitution", Value::Number(restitution)),
-        ("contact_time", Value::Number(CONTACT_TIME)),
-        ("v0", Value::Number(-speed)),
-    ];
-    preset("fig1a", Some(MethodName::Exact), &values)
-}
-
-/// A column without gaps that meets the floor.
-pub(super) fn run(n: u64, restitution: f64, speed: f64) -> Result<Results, FigureError> {
-    results(&scene(n, restitution, speed)?)
-}
-
-/// ε_eff of a run.
-pub(super) fn eps(results: &Results) -> f64 {
-    results.eps_eff.unwrap_or(f64::NAN)
-}
 
 fn share(results: &Results) -> f64 {
     results.er_over_ef.unwrap_or(f64::NAN)

@@ -19,7 +19,7 @@
 //! an exponent of −1/2 for every ε. What the ends add falls as N^(−1/2) beside the loss.
 
 use super::bench::Bench;
-use super::columns::{eps, run, scene};
+use super::touching::{eps, run, scene};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
 use crate::study::Results;

@@ -2,8 +2,8 @@
 //! the linear law is one with β = γ = 0. The two share the scene, and no step.
 
 use super::RIGHT;
-use super::judge::{Verdict, unfinished};
 use super::runs::{Ending, Numbers, distance, run};
+use super::verdict::{Verdict, unfinished};
 use crate::scene::{Facts, Law, Method, Scene, Soft, Solver};
 use crate::study::one_ulp_off;
 

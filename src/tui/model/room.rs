@@ -2,9 +2,8 @@
 
 use super::Model;
 use crate::scene::Scene;
-use crate::tui::caption::{texts, turns};
+use crate::tui::caption::{text_width, texts, turns};
 use crate::tui::layout::{Contents, Lattice};
-use crate::tui::widgets::menu::text_width;
 use ratatui::layout::Rect;
 
 /// A line about one of the columns.

@@ -7,12 +7,12 @@ use ratatui::style::Style;
 
 use super::raster::Raster;
 use super::rules;
-use super::text::{columns, fitted, line};
 use super::trace::clear;
 use crate::live::{Accuracy, Status};
 use crate::math;
 use crate::tui::model::{Model, Notice};
 use crate::tui::numbers::{clock, scientific, short, with_unit};
+use crate::tui::text::{columns, fitted, line};
 
 /// The axis of the history: from the rounding of a diameter to a diameter, in powers of
 /// ten.

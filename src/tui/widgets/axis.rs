@@ -6,12 +6,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{columns, line};
 use crate::math;
 use crate::numerals::{rounded, trimmed};
 use crate::scene::parameters::PREFIXES;
 use crate::tui::model::Scale;
 use crate::tui::numbers;
+use crate::tui::text::{columns, line};
 use crate::tui::theme::Theme;
 
 /// A row of the axis, counted from its top, and what stands there.

@@ -6,11 +6,11 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::raster::Raster;
-use super::text::line;
 use super::trace::PLATE;
 use crate::live::Side;
 use crate::math;
 use crate::tui::model::Scale;
+use crate::tui::text::line;
 use crate::tui::theme::Theme;
 
 /// The part of the height that the beads take; the gaps have the rest.

@@ -3,11 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::line;
 use crate::study::quantity::{self, Seen};
 use crate::study::table::Cell;
 use crate::tui::model::Model;
 use crate::tui::numbers::{scientific, short, with_unit};
+use crate::tui::text::line;
 
 /// Columns that a number takes, and a space.
 const NARROWEST: u16 = 9;

@@ -8,7 +8,6 @@ use ratatui::style::Style;
 
 use super::beads::magnification;
 use super::raster::Raster;
-use super::text::line;
 use super::trace::{PLATE, announce};
 use crate::live::{Side, Status};
 use crate::math;
@@ -16,6 +15,7 @@ use crate::physics::Discs;
 use crate::scene::lattice::Sites;
 use crate::tui::layout::{ROW, SHARE};
 use crate::tui::model::Scale;
+use crate::tui::text::line;
 use crate::tui::theme::Theme;
 
 /// Rows from which on the last one tells the scale.

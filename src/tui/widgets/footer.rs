@@ -5,12 +5,12 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::accuracy;
-use super::menu::{render_turn, text_width};
-use super::text::{columns, fitted, line, wrapped};
-use crate::tui::caption::{Text, Turn, texts, turns};
+use super::menu::render_turn;
+use crate::tui::caption::{Text, Turn, text_width, texts, turns};
 use crate::tui::keys::{BINDINGS, Hint};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Notice};
+use crate::tui::text::{columns, fitted, line, wrapped};
 
 /// Draws the lines of the moment: a message, a hint, or, in turns, what to look for, what
 /// the signs on the screen mean, what to try next and what is simulated.

@@ -4,13 +4,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{columns, fitted, line};
 use super::verdict;
 use crate::scene::LawName;
 use crate::scene::parameters::{Parameter, Value, display, display_ascii, find};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, speed_text};
 use crate::tui::numbers;
+use crate::tui::text::{columns, fitted, line};
 
 /// What tells one scene from another, the most important first.
 const FACTS: [&str; 9] = [

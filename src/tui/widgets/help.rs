@@ -6,9 +6,9 @@ use ratatui::style::Style;
 use ratatui::widgets::{Clear, Widget};
 
 use super::rules;
-use super::text::{columns, line, wrapped};
 use crate::tui::keys::BINDINGS;
 use crate::tui::model::Model;
+use crate::tui::text::{columns, line, wrapped};
 
 /// What the screen shows, term by term.
 const TERMS: &[(&str, &str)] = &[

@@ -6,10 +6,10 @@ use ratatui::style::Style;
 use ratatui::widgets::{Clear, Widget};
 
 use super::rules;
-use super::text::{fitted, line};
 use crate::scene::Preset;
-use crate::tui::caption::{Turn, texts, turns};
+use crate::tui::caption::{Turn, text_width, texts, turns};
 use crate::tui::model::{Menu, Model};
+use crate::tui::text::{fitted, line};
 use crate::tui::theme::Theme;
 
 /// Rows for the texts of the selected preset.
@@ -77,11 +77,6 @@ pub fn render_texts(model: &Model, preset: &Preset, area: Rect, buffer: &mut Buf
         render_turn(theme, &label, &lines, area, row, buffer);
         row += u16::try_from(lines.len()).unwrap_or(u16::MAX);
     }
-}
-
-/// Columns for texts in an area.
-pub fn text_width(area: Rect) -> u16 {
-    area.width.saturating_sub(2)
 }
 
 /// Draws lines from a row of the area on, the label that they begin with in bold.

@@ -4,10 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{columns, line};
 use crate::scene::parameters::{Parameter, display, display_ascii};
 use crate::tui::keys::keys_of;
 use crate::tui::model::Model;
+use crate::tui::text::{columns, line};
 
 /// Columns of the keys.
 const KEYS: u16 = 3;

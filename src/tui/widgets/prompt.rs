@@ -6,9 +6,9 @@ use ratatui::style::Style;
 use ratatui::text::Span;
 use ratatui::widgets::{Clear, Widget};
 
-use super::text::{columns, line, wrapped};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Note, Prompt};
+use crate::tui::text::{columns, line, wrapped};
 
 /// A line of fewer columns has no label.
 const NARROWEST: u16 = 12;

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::line;
+use crate::tui::text::line;
 use crate::tui::theme::Theme;
 
 /// Draws a rule over the whole area.

@@ -5,10 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::details;
-use super::text::{columns, line, wrapped};
 use super::verdict::{Pieces, compared, decisive, in_words, relative};
 use crate::tui::model::Model;
 use crate::tui::numbers;
+use crate::tui::text::{columns, line, wrapped};
 
 /// Lines for why there is no verdict.
 const WHY: usize = 2;

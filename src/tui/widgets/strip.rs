@@ -6,13 +6,13 @@ use ratatui::layout::Rect;
 
 use super::raster::Raster;
 use super::rules;
-use super::text::{columns, line};
 use super::trace::clear;
 use crate::live::Row;
 use crate::math;
 use crate::physics::Energy;
 use crate::tui::model::Model;
 use crate::tui::numbers;
+use crate::tui::text::{columns, line};
 
 /// What a history shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

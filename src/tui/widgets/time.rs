@@ -5,10 +5,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::text::{columns, line};
 use super::trace::clear;
 use crate::tui::model::{Model, Page};
 use crate::tui::numbers;
+use crate::tui::text::{columns, line};
 
 /// Columns at the right end that are for the scale of the gaps.
 const FOR_SCALE: u16 = 3;

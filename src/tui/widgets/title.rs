@@ -4,10 +4,10 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{columns, line};
 use crate::scene::{CollisionRule, Integrator, Method, Scene, Solver};
 use crate::tui::model::Model;
 use crate::tui::numbers::scientific;
+use crate::tui::text::{columns, line};
 
 /// Draws the title into the rule above the trace. Where there is no room for all of it
 /// the drift loses a digit, then the law goes, which the first line of the screen names

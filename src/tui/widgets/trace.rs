@@ -8,9 +8,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::raster::Raster;
-use super::text::{line, wrapped};
 use crate::live::Row;
 use crate::tui::model::{Page, Scale};
+use crate::tui::text::{line, wrapped};
 use crate::tui::theme::Theme;
 
 /// Columns kept clear ahead of the pen, cells.

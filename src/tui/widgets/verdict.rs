@@ -6,10 +6,10 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::strip::Graphed;
-use super::text::{columns, fitted, line};
 use crate::study::verdict::Word;
 use crate::tui::model::Model;
 use crate::tui::numbers::short;
+use crate::tui::text::{columns, fitted, line};
 use crate::tui::theme::Theme;
 
 /// Texts that stand side by side, each with its style.

@@ -4,9 +4,10 @@ use crate::math;
 use crate::numerals::{digits, rounded};
 use std::collections::BTreeMap;
 
-use super::{Errors, ROUNDING, Row, Run};
+use super::{ROUNDING, Row};
 use crate::scene::MethodName;
 use crate::study::accuracy::Report;
+use crate::study::accuracy::compared::{Errors, Run};
 use crate::study::fit::{median, slope};
 use crate::study::plot::{Axis, Plot, Series};
 use crate::study::table::{Cell, Column, Digits, Table};

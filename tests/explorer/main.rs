@@ -1,0 +1,29 @@
+//! The explorer: keys on its model, its simulation thread, its loop on a screen in memory, and
+//! the built program on pseudo-terminals.
+
+#[cfg(target_os = "linux")]
+#[path = "../support/dice.rs"]
+mod dice;
+
+mod play;
+mod screen;
+#[cfg(target_os = "linux")]
+mod session;
+#[cfg(target_os = "linux")]
+mod slow_proxy;
+mod typist;
+
+mod discs;
+#[cfg(target_os = "linux")]
+mod fuzz;
+mod keys;
+mod live;
+mod methods;
+mod prompt;
+mod screens;
+mod shadow;
+#[cfg(target_os = "linux")]
+mod slow_link;
+#[cfg(target_os = "linux")]
+mod terminal;
+mod verdict;
