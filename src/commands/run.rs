@@ -125,3 +125,42 @@ fn warn_of_steps(scene: &Scene) {
         ));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::export::Format;
+
+    fn refused(format: Format, every: Option<f64>) -> String {
+        let args = RunArgs {
+            preset: "fig1b".to_owned(),
+            settings: Vec::new(),
+            method: None,
+            format,
+            every,
+            sensitivity: false,
+            out: None,
+        };
+        match run(&args) {
+            Err(Failure::BadInput(line)) => line,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn formats_are_asked_for_what_they_write() {
+        let [text, ..] = FORMATS;
+        let line = refused(text, Some(1e-3));
+        assert_eq!(line, "--every: needs --format csv, which prints the motion");
+        let of_motion = Format {
+            name: "film",
+            results: None,
+            ..text
+        };
+        let line = refused(of_motion, None);
+        assert_eq!(
+            line,
+            "--format film: needs --every, since it is of the motion"
+        );
+    }
+}

@@ -156,6 +156,11 @@ impl Quantity {
         matches!(self.source, Source::Count(_))
     }
 
+    /// Whether every run has it.
+    pub fn is_certain(&self) -> bool {
+        matches!(self.source, Source::Time(_))
+    }
+
     /// Whether results of such a scene have it, be it empty.
     pub(super) fn is_of(&self, scene: &Scene) -> bool {
         !matches!(self.source, Source::Lattice(_)) || scene.sites().is_some()

@@ -4,9 +4,10 @@ use crate::cli::SweepArgs;
 use crate::scene::Scene;
 use crate::scene::parameters::{self, Value};
 use crate::scene::words::{one_line, quote};
+use crate::study::quantity::{self, Quantity};
 use crate::study::sweep::Sweep;
 use crate::study::table::Cell;
-use crate::study::{Findings, RunError, quantity};
+use crate::study::{Findings, RunError};
 use std::fmt::Write;
 
 /// What became of one point.
@@ -160,7 +161,8 @@ impl Format {
         let note = all - 1;
         let of_counts = quantity::of_runs().filter(|measured| measured.is_count());
         let counts: Vec<&str> = of_counts.map(|measured| measured.name).collect();
-        let has_results = !cells[note - 1].is_empty();
+        let certain = quantity::of_runs().position(Quantity::is_certain);
+        let has_results = certain.is_some_and(|k| !cells[values.len() + k].is_empty());
         for (k, name) in self.columns.iter().enumerate() {
             let text = text(k);
             let (is_right, must) = if let Some(value) = values.get(k) {
