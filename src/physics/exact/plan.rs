@@ -109,7 +109,7 @@ impl Plan {
     /// Gives its buffers back at its end.
     pub fn retire(self, workspace: &mut Workspace) {
         if let Self::Series(series) = self {
-            workspace.spare_rows.push(series.into_rows());
+            workspace.keep_rows(series.into_rows());
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Buffers that are kept, so that no step allocates.
+//! Buffers that are kept, so that few steps allocate.
 
 use super::polynomial::ROWS;
 use super::taylor::Coupling;
@@ -6,6 +6,10 @@ use super::taylor::Coupling;
 /// Entries behind the last gap of a row: up to three that fill a lane, and the zero forces
 /// at both ends.
 pub(super) const PADDING: usize = 6;
+
+/// Coefficients in the longest buffer that is kept: those of 32 gaps. Making a longer one costs
+/// little against the series itself, and keeping many of them might cost O(N²) of memory.
+const LONGEST_KEPT: usize = 32 * ROWS;
 
 /// Buffers as long as the longest cluster, padded. What is in them means nothing between
 /// two uses.
@@ -18,8 +22,8 @@ pub(super) struct Workspace {
     /// As long as the longest cluster's series.
     pub series: Vec<f64>,
     pub coupling: Coupling,
-    /// Coefficients of plans that have ended, for those to come.
-    pub spare_rows: Vec<Vec<f64>>,
+    /// Coefficients of series that have ended.
+    spare_rows: Vec<Vec<f64>>,
 }
 
 impl Workspace {
@@ -32,6 +36,20 @@ impl Workspace {
             series: vec![0.0; ROWS * (n + PADDING)],
             coupling: Coupling::default(),
             spare_rows: Vec::new(),
+        }
+    }
+
+    /// A buffer of `len` coefficients, of any values.
+    pub fn take_rows(&mut self, len: usize) -> Vec<f64> {
+        let mut rows = self.spare_rows.pop().unwrap_or_default();
+        rows.resize(len, 0.0);
+        rows
+    }
+
+    /// Takes a buffer back, unless it is so long that it is not worth keeping.
+    pub fn keep_rows(&mut self, rows: Vec<f64>) {
+        if rows.capacity() <= LONGEST_KEPT {
+            self.spare_rows.push(rows);
         }
     }
 }

@@ -26,8 +26,7 @@ impl SeriesPlan {
         let lanes = lanes(cluster.gaps.len());
         let h = PHASE / fastest(cluster);
         couple(cluster, h, &mut work.coupling);
-        let mut rows = work.spare_rows.pop().unwrap_or_default();
-        rows.resize(ROWS * lanes, 0.0);
+        let mut rows = work.take_rows(ROWS * lanes);
         rows[..2 * lanes].fill(0.0);
         for (j, gap) in cluster.gaps.iter().enumerate() {
             rows[j] = gap.g;
