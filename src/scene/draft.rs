@@ -118,6 +118,18 @@ impl Draft {
     }
 }
 
+impl Scene {
+    /// The same scene under another method: hard spheres drop the contact's law, but
+    /// keep the restitution of a pair that meets at the scene's own speed.
+    ///
+    /// # Errors
+    /// When the scene has no contact time for soft contacts, or a restitution of
+    /// 0, which they cannot have.
+    pub fn with_method(&self, name: MethodName) -> Result<Self, SceneError> {
+        Draft::of(self).under(name).finish()
+    }
+}
+
 /// The rows that a scene cannot do without.
 fn needed() -> impl Iterator<Item = &'static Parameter> {
     table().iter().filter(|parameter| parameter.needed)

@@ -1,9 +1,6 @@
 //! Methods by the names that people type, and the change from one to another.
 
-use super::{
-    CollisionRule, Draft, Facts, GridSettings, Integrator, Law, LawName, Method, Scene, SceneError,
-    Soft, Solver,
-};
+use super::{CollisionRule, Facts, GridSettings, Integrator, Law, LawName, Method, Soft, Solver};
 
 /// Steps in a contact time where nobody says otherwise.
 const COMMON_STEPS: f64 = 100.0;
@@ -130,21 +127,10 @@ impl Facts {
     }
 }
 
-impl Scene {
-    /// The same scene under another method: hard spheres drop the contact's law, but
-    /// keep the restitution of a pair that meets at the scene's own speed.
-    ///
-    /// # Errors
-    /// When the scene has no contact time for soft contacts, or a restitution of
-    /// 0, which they cannot have.
-    pub fn with_method(&self, name: MethodName) -> Result<Self, SceneError> {
-        Draft::of(self).under(name).finish()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Scene;
     use crate::scene::validate::example;
 
     fn scene() -> Scene {
