@@ -15,7 +15,6 @@
 # What it means: behind a multiplexer the receipts of a live view of bead columns are worth
 # something only if wrapped, and a wrapped one needs a time limit. beadlab wraps its own, sets
 # tmux's option for its pane, and gives up a receipt that does not come.
-#
 # The terminal here is a pseudo-terminal that stops reading for three seconds just before the
 # frame and the question are sent. Needs Debian 12 (amd64, after apt-get update) and python3.
 set -euo pipefail
@@ -29,10 +28,8 @@ mkdir -m 700 sockets
 echo 'set -g allow-passthrough on' > on.conf
 touch off.conf
 unset TMUX STY
-export TERM=xterm LC_ALL=C.UTF-8 SCREENDIR="$dir/sockets"
-LD_LIBRARY_PATH=$(echo "$dir"/usr/lib/*-linux-gnu)
-export LD_LIBRARY_PATH
-
+export TERM=xterm LC_ALL=C.UTF-8 SCREENDIR="$dir/sockets" \
+    LD_LIBRARY_PATH="$dir/usr/lib/x86_64-linux-gnu"
 cat > ask.py <<'PY'
 import os, select, sys, time, tty
 question, name = sys.argv[1].encode().decode("unicode_escape").encode(), sys.argv[2]
@@ -47,7 +44,6 @@ while b"\x1b[0n" not in heard and time.time() < start + 8:
         heard += os.read(0, 100)
 open(name, "w").write(f"after {time.time() - start:.1f} s" if b"\x1b[0n" in heard else "never")
 PY
-
 cat > terminal.py <<'PY'
 import os, pty, select, sys, time
 PLAIN, TMUX, SCREEN = r"\x1b[5n", r"\x1bPtmux;\x1b\x1b[5n\x1b\\", r"\x1bP\x1b[5n\x1b\\"
@@ -61,8 +57,7 @@ def answered(name, question, *inside):
         if not slept and (slept := os.path.exists(name + ".ready")):
             time.sleep(3)
         try:
-            asked = select.select([line], [], [], 0.1)[0] and b"\x1b[5n" in os.read(line, 65536)
-            if asked:
+            if select.select([line], [], [], 0.1)[0] and b"\x1b[5n" in os.read(line, 9999):
                 os.write(line, b"\x1b[0n")
         except OSError:  # all on the other side have ended
             break
