@@ -23,9 +23,9 @@ mod vary;
 pub mod verdict;
 
 pub use drive::{Allowance, Drive, RunError, SLICE, Watch, in_time, natural_time};
-pub use findings::{Finding, Findings, Stage, run};
+pub use findings::{Finding, Findings, Stage, run, sensitivity};
 pub use measure::{Results, measure};
-pub use sensitivity::{Sensitivity, sensitivity, work_of_sensitivity};
+pub use sensitivity::{Sensitivity, work_of_sensitivity};
 pub use vary::{PATTERNS, one_ulp_off, vary};
 
 /// Who waits for a study: is told what it is at, and which part of it is done, where that

@@ -13,6 +13,7 @@ mod clock;
 mod cluster;
 mod constants;
 mod contact_changes;
+mod grouping;
 mod oscillator;
 mod over;
 mod pair_events;
@@ -254,6 +255,8 @@ impl<G: Ground> Engine for Exact<G> {
             into,
         );
         into.integrals = self.integrals();
+        // A stack that rests is looked at between its plans only here.
+        into.deepest = gaps.iter().fold(into.deepest, |most, g| most.max(-g));
     }
 
     fn state(&self) -> State {

@@ -3,7 +3,7 @@
 use super::drive::{Drive, RunError, Watch};
 use super::measure::{Results, measure};
 use super::quantity::{self, Around, Quantity, Run};
-use super::sensitivity::{Sensitivity, is_cheap, sensitivity};
+use super::sensitivity::{Sensitivity, by_trial, is_cheap};
 use super::table::Cell;
 use super::vary::PATTERNS;
 use super::verdict::verdict;
@@ -94,6 +94,22 @@ pub fn measured(scene: &Scene, watch: &mut Watch) -> Result<Findings, RunError> 
         sensitivity: &sensitivity,
     };
     Ok(Findings::of(quantity::of_runs(), run, None))
+}
+
+/// What the results of a scene are sensitive to: the largest changes over `patterns` of last
+/// bits, of [`PATTERNS`] at most, over the last bit of ε, and over other steps, tolerances or
+/// depths where the method has them; none of no patterns.
+///
+/// # Errors
+/// As [`measure`] of the scene.
+pub fn sensitivity(
+    scene: &Scene,
+    results: &Results,
+    patterns: usize,
+    watch: &mut Watch,
+) -> Result<Sensitivity, RunError> {
+    let measures: Vec<_> = quantity::measured().collect();
+    by_trial(&measures, scene, results, patterns, watch)
 }
 
 fn examine(

@@ -186,9 +186,12 @@ fn means(
     let interval = block / in_a_block as f64;
     let mut means = Means::new(scene, in_a_block);
     let (mut look, mut until) = (0.0, begin);
+    drive.observe(last);
+    let mut deepest = last.deepest;
     drive.advance(begin)?;
     drive.observe(last);
     means.look(last);
+    deepest = deepest.max(last.deepest);
     while until < duration {
         look += 1.0;
         until = begin + look * interval;
@@ -199,8 +202,10 @@ fn means(
         drive.advance(until)?;
         drive.observe(last);
         means.look(last);
+        deepest = deepest.max(last.deepest);
     }
     means.finish();
+    last.deepest = deepest;
     Ok(means)
 }
 

@@ -5,7 +5,7 @@
 mod rows;
 
 use super::measure::Results;
-use super::sensitivity::Sensitivity;
+use super::sensitivity::{Measured, Sensitivity};
 use super::table::Cell;
 use super::verdict::Verdict;
 use crate::physics::Observation;
@@ -71,17 +71,6 @@ enum Source {
     Machine(fn(&Results, f64) -> f64),
     /// The verdict on the scene's soft contacts.
     Verdict(fn(&Verdict) -> Cell),
-}
-
-/// A result whose digits are measured.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Measured {
-    /// Its value, in the unit of its quantity.
-    pub get: fn(&Results) -> Option<f64>,
-    /// The part of it that is not known at best.
-    pub at_best: fn(&Scene, &Results) -> f64,
-    /// The same where nobody has measured what it is sensitive to.
-    pub unmeasured: fn(&Scene) -> f64,
 }
 
 /// All of them, in the order in which they are written.

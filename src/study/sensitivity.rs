@@ -3,7 +3,6 @@
 
 use super::drive::{Drive, RunError, Watch};
 use super::measure::{Results, measure};
-use super::quantity::{self, Measured};
 use super::vary::{PATTERNS, one_ulp_off, vary};
 use crate::physics;
 use crate::scene::parameters::Value;
@@ -39,22 +38,37 @@ const OF_A_TOLERANCE: f64 = 100.0;
 /// The main result of a run: the first of these that it has.
 const MAIN: [&str; 2] = ["eps_eff", "h_cm_mean"];
 
+/// A result whose digits are measured.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Measured {
+    /// Its value, in the unit of its quantity.
+    pub get: fn(&Results) -> Option<f64>,
+    /// The part of it that is not known at best.
+    pub at_best: fn(&Scene, &Results) -> f64,
+    /// The same where nobody has measured what it is sensitive to.
+    pub unmeasured: fn(&Scene) -> f64,
+}
+
+/// All of those, by name.
+type Measures<'a> = &'a [(&'static str, Measured)];
+
 /// Relative changes of a run's results.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sensitivity {
-    /// Of each result that has digits to be measured, by its name in [`quantity::table`].
+    /// Of each result that has digits to be measured, by its name in [`super::quantity::table`].
     changes: BTreeMap<&'static str, f64>,
     /// What the grid's step alone does to the main result.
     pub step: Option<f64>,
 }
 
-/// The largest changes over `patterns` of last bits, of [`PATTERNS`] at most, over the
+/// The largest changes of `measures` over `patterns` of last bits, of [`PATTERNS`] at most, over the
 /// last bit of ε, and over other steps, tolerances or depths where the method has them;
 /// none of no patterns.
 ///
 /// # Errors
 /// As [`measure`] of the scene.
-pub fn sensitivity(
+pub(super) fn by_trial(
+    measures: Measures,
     scene: &Scene,
     results: &Results,
     patterns: usize,
@@ -64,27 +78,27 @@ pub fn sensitivity(
     if patterns == 0 {
         return Ok(found);
     }
-    found.vary_method(scene, results, watch)?;
+    found.vary_method(measures, scene, results, watch)?;
     // Hard spheres near collapse have only rounding to be sensitive to, and one pattern
     // may tell a sixth of it.
     let few = !scene.is_md() && scene.gravity.is_none() && results.events < FEW;
     let patterns = if few { PATTERNS } else { patterns };
     for pattern in 0..patterns.min(PATTERNS) {
         let off = one_ulp_off(scene, pattern);
-        found.widen(results, &run(off, scene, watch)?, 1.0);
+        found.widen(measures, results, &run(off, scene, watch)?, 1.0);
     }
     if let Some(off) = restitution_off(scene) {
         let engine = physics::build(&off, None).0;
-        found.widen(results, &run(engine, &off, watch)?, 1.0);
+        found.widen(measures, results, &run(engine, &off, watch)?, 1.0);
     }
     if results.closed > 0 {
         let engine = physics::build_half_as_deep(scene);
-        found.widen(results, &run(engine, scene, watch)?, 1.0);
+        found.widen(measures, results, &run(engine, scene, watch)?, 1.0);
     }
     Ok(found)
 }
 
-/// Work of the runs of [`sensitivity`] in their order, in runs of the scene; as far as
+/// Work of the runs of [`by_trial`] in their order, in runs of the scene; as far as
 /// can be told before: where other steps are not stable there are others.
 pub fn work_of_sensitivity(scene: &Scene, patterns: usize) -> Vec<f64> {
     if patterns == 0 {
@@ -122,6 +136,7 @@ impl Sensitivity {
     /// The same run with other steps, or tolerances.
     fn vary_method(
         &mut self,
+        measures: Measures,
         scene: &Scene,
         results: &Results,
         watch: &mut Watch,
@@ -137,7 +152,7 @@ impl Sensitivity {
                     continue;
                 };
                 match run(physics::build(&other, None).0, &other, watch) {
-                    Ok(near) => self.widen(results, &near, factor),
+                    Ok(near) => self.widen(measures, results, &near, factor),
                     Err(RunError::Engine(_)) => continue,
                     Err(stopped) => return Err(stopped),
                 }
@@ -160,8 +175,8 @@ impl Sensitivity {
         Ok(())
     }
 
-    fn widen(&mut self, here: &Results, near: &Results, factor: f64) {
-        for (name, measured) in quantity::measured() {
+    fn widen(&mut self, measures: Measures, here: &Results, near: &Results, factor: f64) {
+        for &(name, measured) in measures {
             // Of 0, which is rounding, there are no parts.
             let Some(here) = (measured.get)(here).filter(|&here| here != 0.0) else {
                 continue;

@@ -7,14 +7,18 @@ use std::path::{Path, PathBuf};
 use crate::source::Source;
 
 /// Each room, and the rooms that it may name, in tests of its own too.
-const ROOMS: [(&str, &[&str]); 8] = [
+const ROOMS: [(&str, &[&str]); 9] = [
     ("math", &[]),
-    ("scene", &["math"]),
+    ("numerals", &["math"]),
+    ("scene", &["math", "numerals"]),
     ("physics", &["math", "scene"]),
-    ("study", &["math", "scene", "physics"]),
+    ("study", &["math", "numerals", "scene", "physics"]),
     ("live", &["math", "scene", "physics"]),
-    ("tui", &["math", "scene", "physics", "study", "live"]),
-    ("cli", &["scene"]),
+    (
+        "tui",
+        &["math", "numerals", "scene", "physics", "study", "live"],
+    ),
+    ("cli", &["scene", "study"]),
     (
         "commands",
         &["math", "scene", "physics", "study", "live", "tui", "cli"],

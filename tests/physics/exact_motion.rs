@@ -3,8 +3,10 @@
 
 use crate::oracle::Oracle;
 use crate::scenes::{G, exact, fig1, shaken};
-use beadlab::physics::{Observation, build};
+use beadlab::physics::{LinearLaw, Observation, build};
 use beadlab::scene::{Facts, Floor, Launch, MethodName, Preset, Scene, Shake, Start, angular};
+use beadlab::study::{Drive, measure};
+use std::ops::ControlFlow;
 
 /// What a motion must keep to, over the largest gap and rate that it has had: the
 /// scenes are so short that they amplify rounding by some thousands at most.
@@ -342,4 +344,28 @@ fn the_last_bounce_is_that_of_a_grid() {
     let (exact, grid) = (bounce(MethodName::Exact), bounce(MethodName::Gear));
     // The grid's error of first order, grown by the collisions of one landing.
     assert!((exact - grid).abs() < 2e-3, "{exact} {grid}");
+}
+
+/// The lowest contact of a stack at rest carries all N beads: its overlap is N g/K, and on a
+/// plate that shakes it slowly (1 + α) N g/K.
+#[test]
+fn a_stack_at_rest_is_as_deep_as_its_load() {
+    const CONTACT_TIME: f64 = 1e-4;
+    let deepest = |facts: Facts| {
+        let scene = Scene::new(facts).expect("a scene");
+        let stiffness = LinearLaw::new(scene.restitution, CONTACT_TIME).stiffness();
+        let mut watch = |_| ControlFlow::Continue(());
+        let results = measure(&scene, &mut Drive::new(&scene, &mut watch)).expect("it is measured");
+        let overlap = results.overlap_max.expect("soft contacts") * scene.diameter;
+        overlap * stiffness / (scene.n as f64 * G)
+    };
+    let still = deepest(Facts {
+        floor: Floor::Fixed,
+        ..shaken(exact(CONTACT_TIME), 0.5)
+    });
+    // Ten loads are added up.
+    assert!((still - 1.0).abs() < 1e-13, "{still}");
+    let shaken = deepest(shaken(exact(CONTACT_TIME), 0.5));
+    // The column's slowest mode is some fifty times as fast as the plate.
+    assert!((shaken / 1.5 - 1.0).abs() < 2e-3, "{shaken}");
 }

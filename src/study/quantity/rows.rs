@@ -1,10 +1,10 @@
 //! The rows of the table, in the order in which they are written.
 
-use super::{Meaning, Measured, Quantity, Seen, Source, number};
+use super::{Meaning, Quantity, Seen, Source, number};
 use crate::physics::{self, Observation};
 use crate::scene::{Arrangement, MethodName, PowerLaw, Preset, Scene};
 use crate::study::measure::{Results, rounding};
-use crate::study::sensitivity::Sensitivity;
+use crate::study::sensitivity::{Measured, Sensitivity};
 use crate::study::table::Cell;
 use crate::study::verdict::{Verdict, Word};
 
