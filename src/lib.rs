@@ -65,7 +65,8 @@
 //! | collapse | inelastic collapse: infinitely many collisions of hard beads in a finite time |
 //! | LRV, TC | collision rules of ED: largest relative velocity first; none lost within t_c |
 //! | facts, scene | what a file says; the same, checked |
-//! | shell, books, ledger | what all engines share; contacts and counts; where energy went |
+//! | mover | what moves a column on a grid of steps; an engine asks it for many at a time |
+//! | books, ledger | contacts and counts of a run; where its energy went |
 //! | handover | going on from another engine's state, after an edit |
 //! | twin | the same column of hard spheres, beside the soft one |
 //! | shadow | an exact run that a soft column is held against |

@@ -98,7 +98,7 @@ pub(super) fn by_trial(
     Ok(found)
 }
 
-/// Work of the runs of [`by_trial`] in their order, in runs of the scene; as far as
+/// Work of the runs of [`super::sensitivity()`] in their order, in runs of the scene; as far as
 /// can be told before: where other steps are not stable there are others.
 pub fn work_of_sensitivity(scene: &Scene, patterns: usize) -> Vec<f64> {
     if patterns == 0 {
