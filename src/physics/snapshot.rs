@@ -121,16 +121,7 @@ impl Snapshot<'_> {
         self.gaps.clone_into(&mut into.gaps);
         books.contacts.closed().clone_into(&mut into.contacts);
         into.energy = ledger.closed(self.energy());
-        into.free_flight = books.contacts.free_flight(self.time);
-        into.settled_flight = books.contacts.settled_flight();
-        into.deepest = books.deepest;
-        into.bounce = books.bounce.restitution(into.energy.relative);
-        into.crossing = books.bounce.crossing();
-        into.densest = books.bounce.densest(self.time, self.plate.period());
-        (into.floor_touched, into.floor_left) = books.contacts.floor();
-        into.steps = books.steps;
-        into.events = books.events;
-        into.closed = books.closed;
+        books.observe(self.time, self.plate.period(), into);
         into.discs = None;
     }
 }

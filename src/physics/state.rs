@@ -5,6 +5,7 @@ use super::column::{masses, springs};
 use super::contacts::ContactLog;
 use super::course::{Course, Turn};
 use super::ledger::Ledger;
+use super::observation::Observation;
 use super::plate::Plate;
 use super::spring::Spring;
 use crate::scene::{Facts, Floor, Scene, Start, initial_gaps};
@@ -44,6 +45,19 @@ impl Depth {
 }
 
 impl Books {
+    /// Fills in what the books know at `time`, s, on a floor of that period, s. The energies
+    /// are there already.
+    pub fn observe(&self, time: f64, period: f64, into: &mut Observation) {
+        into.free_flight = self.contacts.free_flight(time);
+        into.settled_flight = self.contacts.settled_flight();
+        into.deepest = self.deepest;
+        into.bounce = self.bounce.restitution(into.energy.relative);
+        into.crossing = self.bounce.crossing();
+        into.densest = self.bounce.densest(time, period);
+        (into.floor_touched, into.floor_left) = self.contacts.floor();
+        (into.steps, into.events, into.closed) = (self.steps, self.events, self.closed);
+    }
+
     /// Sees how deep the contacts of some gaps are.
     pub fn measure(&mut self, gaps: impl Iterator<Item = f64>) {
         self.deepest = gaps.fold(self.deepest, |deepest, g| deepest.max(-g));

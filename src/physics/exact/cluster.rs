@@ -1,5 +1,7 @@
 //! Clusters: runs of gaps that forces couple, each with a plan of its own.
 
+use std::ops::Range;
+
 use super::constants::Constants;
 use super::{ContactMode, Gap};
 use crate::physics::flight::Ground;
@@ -57,6 +59,26 @@ pub(super) struct Cluster<'a, G> {
     pub modes: &'a [ContactMode],
     /// When the plan ends, s from the epoch; infinite before there is a plan.
     pub ends: f64,
+}
+
+impl<'a, G> Cluster<'a, G> {
+    /// Of these gaps of the column.
+    pub fn of(
+        ground: &'a G,
+        constants: &'a Constants,
+        which: Range<usize>,
+        (gaps, modes): (&'a [Gap], &'a [ContactMode]),
+        ends: f64,
+    ) -> Self {
+        Self {
+            ground,
+            constants,
+            low: which.start,
+            gaps: &gaps[which.clone()],
+            modes: &modes[which],
+            ends,
+        }
+    }
 }
 
 impl<G: Ground> Cluster<'_, G> {

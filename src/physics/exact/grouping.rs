@@ -8,15 +8,13 @@ use crate::physics::flight::Ground;
 impl<G: Ground> Exact<G> {
     /// The cluster that starts at `low`.
     pub(super) fn cluster(&self, low: usize) -> Cluster<'_, G> {
-        let gaps = low..self.clusters.end(low);
-        Cluster {
-            ground: &self.ground,
-            constants: &self.constants,
-            low,
-            gaps: &self.gaps[gaps.clone()],
-            modes: &self.modes[gaps],
-            ends: self.queue.get(low),
-        }
+        Cluster::of(
+            &self.ground,
+            &self.constants,
+            low..self.clusters.end(low),
+            (&self.gaps, &self.modes),
+            self.queue.get(low),
+        )
     }
 
     /// Whether a force couples gaps `i` and `i` + 1: one of them is a contact.
@@ -50,15 +48,13 @@ impl<G: Ground> Exact<G> {
 
     /// Plans the cluster that starts at `low`. Its matches in the queue are left to play.
     fn plan(&mut self, low: usize) {
-        let gaps = low..self.clusters.end(low);
-        let cluster = Cluster {
-            ground: &self.ground,
-            constants: &self.constants,
-            low,
-            gaps: &self.gaps[gaps.clone()],
-            modes: &self.modes[gaps],
-            ends: f64::INFINITY,
-        };
+        let cluster = Cluster::of(
+            &self.ground,
+            &self.constants,
+            low..self.clusters.end(low),
+            (&self.gaps, &self.modes),
+            f64::INFINITY,
+        );
         let plan = Plan::of(&cluster, &mut self.stacks, &mut self.workspace);
         self.state.books.steps += u64::from(plan.is_step());
         let ends = plan.of_cluster().ends(&cluster);

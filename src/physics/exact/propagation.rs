@@ -33,14 +33,14 @@ impl<G: Ground> Exact<G> {
     /// Its plan is spent, and it needs another.
     pub(super) fn bring(&mut self, low: usize, t: f64) {
         let gaps = low..self.clusters.end(low);
-        let cluster = Cluster {
-            ground: &self.ground,
-            constants: &self.constants,
-            low,
-            gaps: &self.gaps[gaps.clone()],
-            modes: &self.modes[gaps.clone()],
-            ends: self.queue.get(low),
-        };
+        // Not `self.cluster(low)`: the workspace is written to beside it.
+        let cluster = Cluster::of(
+            &self.ground,
+            &self.constants,
+            gaps.clone(),
+            (&self.gaps, &self.modes),
+            self.queue.get(low),
+        );
         let (plan, work) = (self.plans[low].of_cluster(), &mut self.workspace);
         plan.account(&cluster, t, &mut self.state.books.ledger, work);
         plan.at(&cluster, t, &mut work.a, &mut work.b);

@@ -203,13 +203,7 @@ impl Lattice {
         let n = sites.count();
         let feet = web.list.feet.iter();
         let on_floor = feet.map(|foot| foot.gap + places[n + foot.i as usize]);
-        let bonds = self
-            .mover
-            .web()
-            .list
-            .bonds
-            .iter()
-            .filter(|bond| bond.closed);
+        let bonds = web.list.bonds.iter().filter(|bond| bond.closed);
         let between = bonds.map(|bond| {
             let (i, j) = (bond.i as usize, bond.j as usize);
             let (dx, dy) = (places[j] - places[i], places[n + j] - places[n + i]);

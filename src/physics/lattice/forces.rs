@@ -1,4 +1,4 @@
-//! LatticeForces of the contacts of a lattice.
+//! Forces of the contacts of a lattice.
 
 use super::list::List;
 use crate::physics::contact_law::ContactLaw;

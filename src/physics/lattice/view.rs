@@ -127,14 +127,7 @@ impl View<'_> {
         into.centre_velocity = self.centre_velocity().1;
         into.integrals = None;
         into.energy = ledger.closed(self.energy());
-        into.free_flight = books.contacts.free_flight(self.time);
-        into.settled_flight = books.contacts.settled_flight();
-        into.deepest = books.deepest;
-        into.bounce = books.bounce.restitution(into.energy.relative);
-        into.crossing = books.bounce.crossing();
-        into.densest = books.bounce.densest(self.time, f64::INFINITY);
-        (into.floor_touched, into.floor_left) = books.contacts.floor();
-        (into.steps, into.events) = (books.steps, books.events);
+        books.observe(self.time, f64::INFINITY, into);
         self.draw(into.discs.get_or_insert_default());
     }
 
