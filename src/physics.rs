@@ -35,6 +35,8 @@ pub use linear_law::LinearLaw;
 pub use observation::{Discs, Energies, Energy, Integrals, Observation};
 pub use state::{Handover, State};
 
+use dyn_clone::DynClone;
+
 use crate::scene::{Method, Scene, Solver};
 
 /// Why an engine cannot go on.
@@ -122,8 +124,8 @@ pub enum Outcome {
 /// A column in motion.
 ///
 /// The same scene, seed and edits give the same bits. Splitting an advance in two
-/// gives the same bits too.
-pub trait Engine: Send {
+/// gives the same bits too, and a clone goes on with the same bits.
+pub trait Engine: DynClone + Send {
     /// Simulated time, s. A fixed-step engine stops at its last grid point.
     fn time(&self) -> f64;
 
@@ -145,6 +147,8 @@ pub trait Engine: Send {
     /// The whole state, to go on with in another engine or after an edit.
     fn state(&self) -> State;
 }
+
+dyn_clone::clone_trait_object!(Engine);
 
 /// Builds the engine of a scene, at its start or from the state of another engine
 /// of the same column (an edit, or a change of method).

@@ -48,6 +48,7 @@ pub(super) fn build(scene: &Scene, tolerance: f64, state: State) -> Box<dyn Engi
 }
 
 /// The column at a time within the step ahead, for whoever looks.
+#[derive(Clone)]
 struct Midstep {
     /// Simulated time, s.
     time: f64,
@@ -58,6 +59,7 @@ struct Midstep {
 }
 
 /// A column under a power law.
+#[derive(Clone)]
 struct Adaptive<G> {
     motion: Motion<G>,
     masses: Vec<f64>,

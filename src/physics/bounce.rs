@@ -10,6 +10,7 @@ pub(crate) struct Bounce {
     arriving: Option<f64>,
     leaving: Option<(f64, f64)>,
     last: Option<f64>,
+    arrivals: u64,
     landings: LandingLog,
 }
 
@@ -95,6 +96,7 @@ impl Bounce {
             self.last = Some(((left + arrival.relative) / arrived).sqrt());
         }
         self.arriving = Some(arrival.relative - arrival.translation);
+        self.arrivals += 1;
         if let Some(crossing) = arrival.crossing {
             self.landings
                 .forget_before(arrival.time - MEMORY * arrival.period);
@@ -119,6 +121,11 @@ impl Bounce {
         if self.arriving.take().is_some() {
             (self.leaving, self.last) = (None, Some(0.0));
         }
+    }
+
+    /// How often the column has arrived at its floor.
+    pub fn arrivals(&self) -> u64 {
+        self.arrivals
     }
 
     /// Mean separation over speed when the column last arrived, s.

@@ -8,6 +8,8 @@ const BUCKETS: i64 = 64;
 pub(crate) struct ContactLog {
     closed: Vec<bool>,
     open_count: usize,
+    /// Contacts begun and ended so far; collisions, which do both at once, not counted.
+    changes: u64,
     /// When each gap's last contact ended; NaN-free: None before the first.
     ended: Vec<Option<f64>>,
     last: Option<f64>,
@@ -71,6 +73,7 @@ impl ContactLog {
             ended: vec![None; closed.len()],
             floor: (closed[0].then_some(time), None),
             closed,
+            changes: 0,
             last: None,
             flights: Flights::new(period.unwrap_or(f64::INFINITY)),
         }
@@ -98,6 +101,7 @@ impl ContactLog {
             return;
         }
         self.closed[i] = closed;
+        self.changes += 1;
         if closed {
             self.open_count -= 1;
             self.begins(i, time);
@@ -146,6 +150,11 @@ impl ContactLog {
         if i == 0 {
             self.floor.1 = Some(time);
         }
+    }
+
+    /// How many contacts have begun or ended so far, collisions not counted.
+    pub fn changes(&self) -> u64 {
+        self.changes
     }
 
     /// Which gaps are contacts.

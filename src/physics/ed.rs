@@ -61,6 +61,7 @@ fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box
 }
 
 /// A hard column. Its gaps and times are kept in units of 1/`scale` m and s.
+#[derive(Clone)]
 struct Ed<G, R> {
     ground: G,
     rule: R,
@@ -309,7 +310,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     }
 }
 
-impl<G: Ground, R: Rule> Engine for Ed<G, R> {
+impl<G: Ground + 'static, R: Rule + 'static> Engine for Ed<G, R> {
     fn time(&self) -> f64 {
         self.absolute(self.now)
     }

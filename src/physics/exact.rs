@@ -68,6 +68,7 @@ enum ContactMode {
 }
 
 /// A soft column, exactly.
+#[derive(Clone)]
 struct Exact<G> {
     ground: G,
     constants: Constants,
@@ -205,7 +206,7 @@ impl<G: Ground> Exact<G> {
     }
 }
 
-impl<G: Ground> Engine for Exact<G> {
+impl<G: Ground + 'static> Engine for Exact<G> {
     fn time(&self) -> f64 {
         self.clock.absolute(self.clock.now)
     }

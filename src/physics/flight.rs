@@ -10,7 +10,7 @@ use super::plate::Plate;
 use crate::math;
 
 /// The floor and gravity of a column whose flights are in closed form.
-pub(crate) trait Ground: Send {
+pub(crate) trait Ground: Clone + Send {
     /// Whether there is gravity.
     const PULLS: bool;
     /// Whether the floor moves.
@@ -76,6 +76,7 @@ impl Gap {
 }
 
 /// A fixed floor without gravity.
+#[derive(Clone)]
 pub(crate) struct Free {
     pub plate: Plate,
 }
@@ -118,6 +119,7 @@ pub(crate) fn closing(t0: f64, g: f64, w: f64) -> f64 {
 }
 
 /// A fixed floor under gravity.
+#[derive(Clone)]
 pub(crate) struct Weight {
     gravity: f64,
     plate: Plate,

@@ -33,6 +33,7 @@ use stepper::PlaneStepper;
 use verlet::LatticeVerlet;
 
 /// What a lattice is, whatever moves it.
+#[derive(Clone)]
 struct Plane {
     sites: Sites,
     floor: Spring,

@@ -103,6 +103,10 @@ pub struct Observation {
     pub steps: u64,
     /// Collisions done (ED).
     pub events: u64,
+    /// How often a contact has begun or ended, and two hard beads have collided, so far.
+    pub changes: u64,
+    /// How often the column has landed on its floor.
+    pub landings: u64,
     /// Collapses of hard beads that were closed: see the limits in the README.
     pub closed: u64,
     /// Where the beads of a lattice are in their plane; of a lattice only.

@@ -54,6 +54,8 @@ impl Books {
         into.bounce = self.bounce.restitution(into.energy.relative);
         into.crossing = self.bounce.crossing();
         into.densest = self.bounce.densest(time, period);
+        into.landings = self.bounce.arrivals();
+        into.changes = self.contacts.changes() + self.events;
         (into.floor_touched, into.floor_left) = self.contacts.floor();
         (into.steps, into.events, into.closed) = (self.steps, self.events, self.closed);
     }

@@ -25,6 +25,7 @@ pub(super) fn build(scene: &Scene, mut state: State) -> Box<dyn Engine> {
     })
 }
 
+#[derive(Clone)]
 struct Steered {
     scene: Scene,
     /// The engine up to the next turn.

@@ -28,6 +28,7 @@ fn lattice(pairs: &[(&str, &str)]) -> Preset {
 }
 
 /// A lattice that stands still where it was put.
+#[derive(Clone)]
 struct Posed {
     engine: Box<dyn Engine>,
     pose: fn(&mut Observation),

@@ -193,6 +193,7 @@ pub enum Fault {
 pub type StandIn = Box<dyn FnMut(f64) -> Option<Result<Outcome, EngineError>> + Send>;
 
 /// A real engine, but for its advance.
+#[derive(Clone)]
 pub struct Behind {
     pub engine: Box<dyn Engine>,
     pub advance: StandIn,

@@ -10,6 +10,7 @@ mod double_double;
 mod oracle;
 mod sampled_roots;
 
+mod clones;
 mod collapse;
 mod edits;
 mod engines;

@@ -6,6 +6,7 @@ use crate::physics::spring::Spring;
 
 /// The equations of a column. Its state is laid out as gaps, rates, energy lost in contacts,
 /// work of the plate.
+#[derive(Clone)]
 pub(super) struct Equations {
     pub springs: Vec<Spring>,
     pub attraction: bool,

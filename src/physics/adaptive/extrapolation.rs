@@ -32,6 +32,7 @@ pub(super) struct Attempt {
 }
 
 /// The method, with its tableau and buffers.
+#[derive(Clone)]
 pub(super) struct Extrapolation {
     /// Row j is the extrapolation of the newest j + 1 midpoint rows.
     rows: [Vec<f64>; COLUMNS],

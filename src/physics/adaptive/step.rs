@@ -15,6 +15,7 @@ const TRIES: u32 = 100;
 const LONGEST: f64 = 10.0;
 
 /// A step that has been computed, but not taken yet.
+#[derive(Clone)]
 pub(super) struct Ahead {
     /// How long it is, s; infinite for a flight that never ends.
     pub h: f64,
@@ -29,6 +30,7 @@ pub(super) struct Ahead {
 }
 
 /// A column that moves.
+#[derive(Clone)]
 pub(super) struct Motion<G> {
     pub ground: G,
     pub equations: Equations,

@@ -45,6 +45,7 @@ const REST: i32 = 22;
 const WIDEST: i32 = 500;
 
 /// What counts as no motion.
+#[derive(Clone)]
 pub(super) struct Closing {
     /// Approaches slower than this, m/s, are none.
     pub speed: f64,

@@ -1,7 +1,7 @@
 //! Which collisions lose energy.
 
 /// Whether a collision loses energy.
-pub(super) trait Rule: Send {
+pub(super) trait Rule: Clone + Send {
     /// Whether a collision of beads `below` (None for the floor) and `above` at `t` is elastic.
     /// It is noted as their last one.
     fn elastic(&mut self, below: Option<usize>, above: usize, t: f64) -> bool;
@@ -10,6 +10,7 @@ pub(super) trait Rule: Send {
 }
 
 /// Every collision loses energy.
+#[derive(Clone)]
 pub(super) struct Always;
 
 impl Rule for Always {
@@ -21,6 +22,7 @@ impl Rule for Always {
 
 /// The TC model of Luding & McNamara (1998): a collision is elastic if either bead's last one
 /// was less than t_c ago.
+#[derive(Clone)]
 pub(super) struct LastCollisions {
     contact_time: f64,
     last: Vec<f64>,

@@ -11,7 +11,7 @@ const TICK: f64 = 2.0;
 const BEADS_AN_EVENT: usize = 4;
 
 /// The epoch, and now.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct EpochClock {
     /// Simulated time at which the engine started, s.
     origin: f64,

@@ -7,7 +7,7 @@ use super::{ContactMode, Gap};
 use crate::physics::flight::Ground;
 
 /// Which gaps form clusters.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Clusters {
     /// The lowest gap of the cluster that each gap is in.
     first: Vec<usize>,

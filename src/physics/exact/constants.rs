@@ -9,7 +9,7 @@ use crate::physics::state::{State, weight};
 use crate::scene::Scene;
 
 /// The constants of a soft column.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Constants {
     /// Mass of each bead, in mean bead masses.
     pub masses: Vec<f64>,

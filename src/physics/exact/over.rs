@@ -8,7 +8,7 @@ use crate::physics::flight::Ground;
 const INSPECTION: u64 = 256;
 
 /// Whether the collision is over, and when to look again.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct CollisionEnd {
     pub over: bool,
     /// Energy at the start or after an edit, m²/s². Without gravity it only falls.

@@ -56,7 +56,7 @@ pub(super) trait ClusterPlan<G: Ground> {
 }
 
 /// The kinds of plans.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Plan {
     /// One gap in flight, until it closes.
     Flight(Flight),

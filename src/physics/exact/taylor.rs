@@ -118,7 +118,7 @@ fn expand_lanes(
 }
 
 /// The series of a cluster.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct TaylorSeries {
     /// Rows of coefficients.
     b: Vec<f64>,

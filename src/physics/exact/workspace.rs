@@ -13,7 +13,7 @@ const LONGEST_KEPT: usize = 32 * ROWS;
 
 /// Buffers as long as the longest cluster, padded. What is in them means nothing between
 /// two uses.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Workspace {
     pub a: Vec<f64>,
     pub b: Vec<f64>,

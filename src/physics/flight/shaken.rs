@@ -12,6 +12,7 @@ use crate::physics::plate::Plate;
 const BARELY: f64 = 1.0 + 1e-9;
 
 /// A vibrating plate under gravity.
+#[derive(Clone)]
 pub(crate) struct Shaken {
     gravity: f64,
     /// The plate as it was `since` s before the epoch.
@@ -26,6 +27,7 @@ pub(crate) struct Shaken {
 }
 
 /// A bead that falls freely over the plate. It had gap `g` and rate `w` at τ = 0.
+#[derive(Clone)]
 struct Fall {
     g: f64,
     w: f64,

@@ -13,6 +13,7 @@ use crate::physics::{Engine, EngineError, Outcome};
 
 /// A lattice on a grid of steps. What moves it is known when the program is compiled, and
 /// asked for many steps at a time; all else stands here once.
+#[derive(Clone)]
 pub(super) struct Lattice {
     pub(super) mover: Box<dyn PlaneMover>,
     pub(super) plane: Plane,

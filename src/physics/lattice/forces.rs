@@ -5,6 +5,7 @@ use crate::physics::contact_law::ContactLaw;
 use crate::scene::lattice::Sites;
 
 /// The laws of a contact with the floor and of one between beads.
+#[derive(Clone)]
 pub(super) struct Laws<L> {
     pub floor: L,
     pub pair: L,
@@ -41,6 +42,7 @@ impl Surface for Rubbing {
 }
 
 /// The contacts of a lattice, whatever their law.
+#[derive(Clone)]
 pub(super) struct Web {
     pub sites: Sites,
     pub list: List,
@@ -51,6 +53,7 @@ pub(super) struct Web {
 }
 
 /// The contacts of a lattice, and what they do to its beads.
+#[derive(Clone)]
 pub(super) struct LatticeForces<L, S> {
     pub web: Web,
     laws: Laws<L>,

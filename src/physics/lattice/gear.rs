@@ -6,6 +6,7 @@ use super::stepper::{PlaneStepper, flush};
 use crate::physics::contact_law::ContactLaw;
 use crate::physics::md::{corrected, predicted};
 
+#[derive(Clone)]
 pub(super) struct LatticeGear {
     h: f64,
     rows: [Vec<f64>; 6],

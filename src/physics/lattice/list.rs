@@ -32,7 +32,7 @@ pub(super) struct Foot {
 }
 
 /// The pairs that may touch.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct List {
     pub bonds: Vec<Bond>,
     pub feet: Vec<Foot>,
@@ -46,7 +46,7 @@ pub(super) struct List {
 }
 
 /// Beads by the cell of a grid that they are in.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct CellList {
     across: usize,
     up: usize,

@@ -1,11 +1,13 @@
 //! What moves a lattice on a grid of steps: integrator and contacts together.
 
+use dyn_clone::DynClone;
+
 use super::forces::{LatticeForces, Surface, Web};
 use super::stepper::PlaneStepper;
 use crate::physics::contact_law::ContactLaw;
 
 /// What moves a lattice, behind one call for many steps.
-pub(super) trait PlaneMover: Send {
+pub(super) trait PlaneMover: DynClone + Send {
     /// Up to `steps` steps, to where contacts change: how many it did, and whether any
     /// contact changed in the last.
     fn run(&mut self, steps: u64) -> (u64, bool);
@@ -25,7 +27,10 @@ pub(super) trait PlaneMover: Send {
     fn list_anew(&mut self);
 }
 
+dyn_clone::clone_trait_object!(PlaneMover);
+
 /// A lattice that an integrator moves.
+#[derive(Clone)]
 pub(super) struct PlaneMoved<M, L, S> {
     stepper: M,
     forces: LatticeForces<L, S>,

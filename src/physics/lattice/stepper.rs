@@ -5,7 +5,7 @@ use crate::physics::contact_law::ContactLaw;
 use crate::physics::lanes::flushed;
 
 /// An integrator. Its state is displacements and rates, all across, then all up.
-pub(super) trait PlaneStepper: Send + Sized {
+pub(super) trait PlaneStepper: Clone + Send {
     /// Starts from displacements, m, and rates, m/s, with steps of `h` s.
     fn start<L: ContactLaw, S: Surface>(
         places: Vec<f64>,

@@ -5,6 +5,7 @@ use super::forces::{LatticeForces, Surface};
 use super::stepper::{PlaneStepper, flush};
 use crate::physics::contact_law::ContactLaw;
 
+#[derive(Clone)]
 pub(super) struct LatticeVerlet {
     h: f64,
     places: Vec<f64>,

@@ -4,7 +4,7 @@ use crate::physics::contact_law::ContactLaw;
 use crate::physics::lanes::{LANES, Lane, grouped, neighbours};
 
 /// Contacts and masses of a chain.
-pub(crate) trait Chain: Send {
+pub(crate) trait Chain: Clone + Send {
     /// Force of the floor's contact and the power it loses, as in [`ContactLaw::push`].
     fn floor(&self, g: f64, w: f64) -> (f64, f64);
 
@@ -21,6 +21,7 @@ pub(crate) trait Chain: Send {
 }
 
 /// Equal beads: the floor's contact, and one law for all others.
+#[derive(Clone)]
 pub(crate) struct Equal<L> {
     floor: L,
     pair: L,
@@ -59,6 +60,7 @@ impl<L: ContactLaw> Chain for Equal<L> {
 }
 
 /// Beads of different masses: a law a contact, a mass a bead.
+#[derive(Clone)]
 pub(crate) struct Unequal<L> {
     floor: L,
     pairs: Vec<[L; LANES]>,

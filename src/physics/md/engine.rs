@@ -16,6 +16,7 @@ use crate::scene::Scene;
 
 /// A soft column on a grid of steps. What moves it is known when the program is compiled,
 /// and asked for many steps at a time; all else stands here once.
+#[derive(Clone)]
 pub(super) struct Md {
     pub(super) mover: Box<dyn Mover>,
     pub(super) masses: Vec<f64>,

@@ -25,6 +25,7 @@ pub(crate) const CORRECTOR: [f64; 6] = [
 /// r₀ to r₅ of one number that moves, or of a group.
 pub(crate) type Derivatives<T> = [T; 6];
 
+#[derive(Clone)]
 pub(crate) struct Gear {
     n: usize,
     h: f64,

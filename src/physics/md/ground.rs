@@ -9,7 +9,7 @@ use crate::physics::plate::Plate;
 const RESYNC: u64 = 256;
 
 /// The floor and gravity of an MD column. Unless said otherwise the floor stands still.
-pub(crate) trait Ground: Send {
+pub(crate) trait Ground: Clone + Send {
     /// Whether there is gravity.
     const PULLS: bool;
     /// Whether the floor moves.
@@ -29,6 +29,7 @@ pub(crate) trait Ground: Send {
 }
 
 /// A fixed floor without gravity.
+#[derive(Clone)]
 pub(crate) struct Free {
     plate: Plate,
 }
@@ -51,6 +52,7 @@ impl Ground for Free {
 }
 
 /// A fixed floor under gravity.
+#[derive(Clone)]
 pub(crate) struct Weight {
     gravity: f64,
     plate: Plate,
@@ -74,6 +76,7 @@ impl Ground for Weight {
 }
 
 /// A vibrating plate under gravity.
+#[derive(Clone)]
 pub(crate) struct Shaken {
     gravity: f64,
     start: Plate,

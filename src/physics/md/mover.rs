@@ -1,12 +1,14 @@
 //! What moves a soft column on a grid of steps: integrator, ground and chain together.
 
+use dyn_clone::DynClone;
+
 use super::chain::Chain;
 use super::ground::Ground;
 use super::stepper::{Power, Stepper};
 use crate::physics::plate::Plate;
 
 /// What moves a column, behind one call for many steps.
-pub(super) trait Mover: Send {
+pub(super) trait Mover: DynClone + Send {
     /// Up to `steps` steps, to where contacts change: how many it did, and whether any
     /// contact may have changed in the last.
     fn run(&mut self, steps: u64) -> (u64, bool);
@@ -28,7 +30,10 @@ pub(super) trait Mover: Send {
     fn pulls(&self) -> bool;
 }
 
+dyn_clone::clone_trait_object!(Mover);
+
 /// A column that an integrator moves over a ground.
+#[derive(Clone)]
 pub(super) struct Moved<S, G, C> {
     stepper: S,
     ground: G,

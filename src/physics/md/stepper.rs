@@ -6,7 +6,7 @@ use crate::physics::lanes::Lane;
 use crate::physics::ledger::Ledger;
 
 /// What an integrator does. Its state is gaps, rates and derivatives of its own.
-pub(super) trait Stepper: Send + Sized {
+pub(super) trait Stepper: Clone + Send {
     /// Starts from gaps and rates, with forces in force now and steps of `h` s.
     fn start<C: Chain, G: Ground>(
         gaps: &[f64],

@@ -11,6 +11,7 @@ use crate::physics::lanes::{
     BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours, singly,
 };
 
+#[derive(Clone)]
 pub(crate) struct Verlet {
     n: usize,
     h: f64,

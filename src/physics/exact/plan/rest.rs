@@ -17,7 +17,7 @@ use crate::physics::snapshot::Snapshot;
 const QUIET: u32 = 16;
 
 /// The stacks that have been at rest, and when to look for one again.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(in super::super) struct Stacks {
     /// By their number of beads. Of those too large for a transient the last one only, so
     /// that memory stays O(N).
@@ -53,7 +53,7 @@ impl Stacks {
 }
 
 /// A stack at rest, and perhaps a bead that falls onto it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(in super::super) struct Rest {
     stack: Arc<Stack>,
     transient: Transient,

@@ -11,7 +11,7 @@ use crate::physics::ledger::Ledger;
 use crate::physics::spring::Spring;
 
 /// A cluster that moves by its series in s = τ/h.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(in super::super) struct SeriesPlan {
     series: TaylorSeries,
     /// Where the plan ends, in units of h.

@@ -30,7 +30,7 @@ const NEWTON: usize = 8;
 ///
 /// Its gap is Re(C e^{λτ}) + Im(Y e^{iΩτ}) − g/ω₀²: its own swing, its answer to the plate
 /// (of angular frequency Ω), and its sag.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(in super::super) struct Touchdown {
     oscillator: Oscillator,
     /// Rate at which it began, m/s.
