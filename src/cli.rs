@@ -82,6 +82,16 @@ pub struct ExploreArgs {
     #[arg(long, value_parser = speed)]
     pub speed: Option<f64>,
 
+    /// Memory for what was, to go back to, in MiB
+    #[arg(
+        long,
+        value_name = "MIB",
+        default_value_t = 64,
+        value_parser = clap::value_parser!(u32).range(1..=1_048_576),
+        allow_hyphen_values = true
+    )]
+    pub memory: u32,
+
     /// Change a parameter, like t_c=4.6us or N=20; a bare number is in SI units
     /// (repeatable; `beadlab run --help` lists them)
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]

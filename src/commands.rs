@@ -88,11 +88,15 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
             let options = ExploreOptions {
                 ascii: args.ascii,
                 speed: args.speed,
+                memory: args.memory as usize * MIB,
             };
             explore::explore(preset, &options)
         }
     }
 }
+
+/// Bytes in a MiB.
+const MIB: usize = 1 << 20;
 
 /// The preset or file of that name, with the method and settings of the command line.
 fn load(name: &str, method: Option<MethodName>, settings: &[String]) -> Result<Preset, Failure> {

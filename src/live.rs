@@ -11,6 +11,7 @@
 
 mod clock;
 mod history;
+mod past;
 mod runner;
 mod shadow;
 mod slot;
@@ -66,10 +67,34 @@ pub enum Order {
     Shadow(bool),
     /// Sample the traces at other times.
     Sweep(Sweep),
-    /// Pause, and move on by this many simulated seconds.
-    Step(f64),
-    /// Pause, and move on to the next event of a column that knows its events.
-    NextEvent,
+    /// Pause, and go to another time.
+    Leap(Leap),
+}
+
+/// Back in what was, or on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// To earlier times.
+    Back,
+    /// To later ones.
+    On,
+}
+
+/// Where to in time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Leap {
+    /// By this many simulated seconds, back where it is negative.
+    By(f64),
+    /// To where a contact begins or ends, or hard beads collide.
+    Change(Way),
+    /// To where a column lands on its floor.
+    Landing(Way),
+    /// By a period of the plate.
+    Period(Way),
+    /// To this time, s.
+    To(f64),
+    /// To where the columns have come to.
+    End,
 }
 
 /// How a column fares.
@@ -103,8 +128,17 @@ pub struct Frame {
     pub time: f64,
     /// The columns, in the order of their scenes.
     pub sides: Vec<Side>,
+    /// What they are of, edits in force then included.
+    pub scenes: Vec<Scene>,
+    /// Simulated time up to which they have come, s; later than `time` while that is gone
+    /// back in.
+    pub end: f64,
     /// Trace samples since the last frame that was fetched.
     pub history: History,
+    /// Whether these are all samples of the page, in place of those before.
+    pub whole: bool,
+    /// A time that was asked for, s, while the columns are on their way to it.
+    pub towards: Option<f64>,
     /// Sentences for the screen since the last frame that was fetched.
     pub notes: Vec<String>,
     /// Whether simulated time stands still.
@@ -126,16 +160,16 @@ pub struct Live {
     pub frames: Receiver<Frame>,
 }
 
-/// Starts the simulation thread. It builds its engines by `build` and waits for
-/// its first [`Order::Load`].
+/// Starts the simulation thread. It builds its engines by `build`, keeps so many bytes of
+/// what was to go back to, and waits for its first [`Order::Load`].
 ///
 /// # Errors
 /// When the system refuses the thread.
-pub fn spawn(build: Build) -> std::io::Result<Live> {
+pub fn spawn(build: Build, memory: usize) -> std::io::Result<Live> {
     let (orders, inbox) = bounded(ORDERS);
     let (outlet, frames) = slot::slot();
     thread::Builder::new()
         .name("simulation".into())
-        .spawn(move || worker::Worker::new(build, outlet).run(&inbox))?;
+        .spawn(move || worker::Worker::new(build, outlet, memory).run(&inbox))?;
     Ok(Live { orders, frames })
 }

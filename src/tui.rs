@@ -68,7 +68,8 @@ impl Stage for RealStage {
     }
 }
 
-/// Shows a preset on the terminal until somebody wants to leave.
+/// Shows a preset on the terminal until somebody wants to leave. What was is kept to go back
+/// to in so much memory, bytes.
 ///
 /// # Errors
 /// When the terminal or a thread cannot be had, or the preset's twin cannot be
@@ -78,13 +79,14 @@ pub fn run(
     speed: Option<f64>,
     theme: Theme,
     build: Build,
+    memory: usize,
 ) -> Result<Ending, String> {
     let cannot = |what: &str| {
         let what = what.to_owned();
         move |error: io::Error| format!("cannot {what}: {error}")
     };
     let (mut model, start) = Model::new(preset, speed, theme, screen::size())?;
-    let live = live::spawn(build).map_err(cannot("start the simulation thread"))?;
+    let live = live::spawn(build, memory).map_err(cannot("start the simulation thread"))?;
     let judge = judge::spawn().map_err(cannot("start the judging thread"))?;
     let signals = signals::watch().map_err(cannot("watch signals"))?;
     guard::hook_panics();

@@ -9,12 +9,14 @@ use crate::tui::event_loop::Ending;
 use crate::tui::theme::Theme;
 
 /// How to explore.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExploreOptions {
     /// Write no byte beyond ASCII, whatever the terminal says of itself.
     pub ascii: bool,
     /// Simulated seconds in a second; what suits the preset if not given.
     pub speed: Option<f64>,
+    /// Memory for what was, to go back to, bytes.
+    pub memory: usize,
 }
 
 /// Opens the explorer and returns when it is left. A signal ends the process with
@@ -55,7 +57,9 @@ pub fn explore(preset: Preset, options: &ExploreOptions) -> Result<(), Failure> 
         name => variable(name),
     });
     let build = Box::new(physics::build);
-    match crate::tui::run(preset, options.speed, theme, build).map_err(Failure::Failed)? {
+    match crate::tui::run(preset, options.speed, theme, build, options.memory)
+        .map_err(Failure::Failed)?
+    {
         Ending::Quit => Ok(()),
         Ending::Signal(number) => std::process::exit(128 + number),
     }

@@ -31,6 +31,15 @@ pub struct Sample {
     pub rows: Vec<Option<Row>>,
 }
 
+impl Sample {
+    /// About how much memory it takes, bytes.
+    pub(super) fn bytes(&self) -> usize {
+        let lines = |row: &Row| size_of_val(row.reduced.as_slice());
+        let rows = size_of_val(self.rows.as_slice());
+        size_of::<Self>() + rows + self.rows.iter().flatten().map(lines).sum::<usize>()
+    }
+}
+
 /// The newest samples, at most as many as the screen can show.
 ///
 /// What is given up when more arrive is what the sweep has written over by then.

@@ -48,9 +48,13 @@ const NOTES: usize = 8;
 /// The newer frame, with what the stale one still had to tell.
 fn merge(stale: Frame, mut newer: Frame) -> Frame {
     if stale.generation == newer.generation {
-        let fresh = std::mem::replace(&mut newer.history, stale.history);
-        newer.history.set_capacity(fresh.capacity());
-        newer.history.append(fresh);
+        // A whole page needs nothing of what was before it.
+        if !newer.whole {
+            newer.whole = stale.whole;
+            let fresh = std::mem::replace(&mut newer.history, stale.history);
+            newer.history.set_capacity(fresh.capacity());
+            newer.history.append(fresh);
+        }
         let untold = stale.notes.into_iter();
         let untold: Vec<String> = untold.filter(|note| !newer.notes.contains(note)).collect();
         newer.notes.splice(0..0, untold);
@@ -75,7 +79,11 @@ mod tests {
             generation,
             time,
             sides: Vec::new(),
+            scenes: Vec::new(),
+            end: time,
             history,
+            whole: false,
+            towards: None,
             notes: vec![format!("{time}")],
             paused: false,
             held: false,

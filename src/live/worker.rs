@@ -1,17 +1,19 @@
 //! The loop of the simulation thread.
 
+mod scenes;
+mod travel;
+
 use std::time::{Duration, Instant};
 
 use crossbeam_channel::{Receiver, RecvTimeoutError};
 
 use super::clock::Clock;
 use super::history::{History, Row, Sample};
+use super::past::{Past, Position};
 use super::runner::{Build, Runner};
 use super::shadow::Shadow;
 use super::slot::Outlet;
 use super::{Frame, Order, Side, Sweep};
-use crate::physics::State;
-use crate::scene::Scene;
 
 /// The columns move for this long between two looks at the orders.
 const SLICE: Duration = Duration::from_millis(4);
@@ -21,6 +23,8 @@ const TICK: Duration = Duration::from_millis(8);
 const RAREST: Duration = Duration::from_millis(500);
 /// Frames are not published more often than this.
 const FRAME: Duration = Duration::from_millis(15);
+/// A time of the past that is sought for longer is seen coming.
+const SEEN_ON_THE_WAY: Duration = Duration::from_millis(300);
 /// Samples of one slice; when the sweep is so fast that there were more, some are skipped.
 const SAMPLES_PER_SLICE: u32 = 64;
 
@@ -28,11 +32,15 @@ const SAMPLES_PER_SLICE: u32 = 64;
 pub(super) struct Worker {
     build: Build,
     outlet: Outlet,
-    runners: Vec<Runner>,
+    position: Position,
+    /// When the columns are on their way to another time, that time, s.
+    under_way: Option<f64>,
+    past: Past,
+    /// Since when another time of the past is sought, while it is not reached.
+    sought: Option<Instant>,
     /// The shadow of each column, while they are asked for.
     shadows: Option<Vec<Option<Shadow>>>,
     clock: Clock,
-    reached: f64,
     speed: f64,
     sweep: Sweep,
     /// Simulated time that both columns cover before either goes further, s.
@@ -49,15 +57,17 @@ pub(super) struct Worker {
 }
 
 impl Worker {
-    pub(super) fn new(build: Build, outlet: Outlet) -> Worker {
+    pub(super) fn new(build: Build, outlet: Outlet, memory: usize) -> Worker {
         let now = Instant::now();
         Worker {
             build,
             outlet,
-            runners: Vec::new(),
+            position: Position::default(),
+            under_way: None,
+            past: Past::new(memory),
+            sought: None,
             shadows: None,
             clock: Clock::new(now),
-            reached: 0.0,
             speed: 1.0,
             sweep: Sweep {
                 origin: 0.0,
@@ -97,9 +107,12 @@ impl Worker {
                 Err(RecvTimeoutError::Disconnected) => return,
             };
             if !self.paused {
-                self.clock.tick(self.reached, Instant::now());
+                self.clock.tick(self.position.reached, Instant::now());
             }
             let arrived = self.advance();
+            if arrived && self.sought.is_some() && self.shadows.is_some() {
+                self.shade(true);
+            }
             self.follow(arrived);
             busy = !arrived || self.is_shadow_waited_for();
             self.publish(asked || self.is_idle());
@@ -108,8 +121,8 @@ impl Worker {
 
     /// Whether nothing moves before the next order.
     fn is_idle(&self) -> bool {
-        let moving = !self.paused || self.reached < self.clock.goal();
-        let still = !moving || !self.runners.iter().any(Runner::is_alive);
+        let moving = !self.paused || self.position.reached < self.clock.goal();
+        let still = !moving || !self.position.is_alive();
         still && !self.is_shadow_waited_for()
     }
 
@@ -133,132 +146,21 @@ impl Worker {
                 self.set_running(running);
             }
             Order::Edit { scenes, from } => {
-                self.edit(scenes, &from);
+                self.edit(scenes, from.clone());
                 self.shade_again(&from);
             }
             Order::Shadow(on) => self.shade(on),
             Order::Run(running) => self.set_running(running),
             Order::Speed(speed) => self.set_speed(speed),
             Order::Sweep(sweep) => self.set_sweep(sweep),
-            Order::Step(time) => {
-                self.set_running(false);
-                self.clock.ask_for(self.reached + time);
-            }
-            Order::NextEvent => self.step_to_event(),
+            Order::Leap(leap) => self.leap(leap),
         }
-    }
-
-    fn restart(&mut self, scenes: Vec<Scene>) {
-        let build = &mut self.build;
-        self.runners = scenes
-            .into_iter()
-            .map(|scene| Runner::new(build, scene, None, 0.0))
-            .collect();
-        self.reached = 0.0;
-        self.held = false;
-        self.clock.stand_at(0.0, Instant::now());
-        self.history.clear();
-        self.record();
-    }
-
-    /// Other scenes, each from the state of the column it follows. The follower of a
-    /// failed column takes the state of its twin; when there is none, all start anew.
-    fn edit(&mut self, scenes: Vec<Scene>, from: &[usize]) {
-        let mut states: Vec<Option<State>> = self.runners.iter_mut().map(Runner::state).collect();
-        // A column may be ahead of the other by some time: the plate turns after both.
-        let times = states.iter().flatten().map(|state| state.time);
-        let latest = times.fold(self.reached, f64::max);
-        let present = states.iter_mut().flatten();
-        present.for_each(|state| state.settle(latest));
-        let shape = |scene: &Scene| (scene.n, scene.sites().is_some());
-        let shapes: Vec<_> = self
-            .runners
-            .iter()
-            .map(|runner| shape(runner.scene()))
-            .collect();
-        let fits = |scene: &Scene, index: usize| {
-            states
-                .get(index)?
-                .as_ref()
-                .filter(|_| shapes.get(index) == Some(&shape(scene)))
-        };
-        let sources: Option<Vec<&State>> = scenes
-            .iter()
-            .zip(from)
-            .map(|(scene, &own)| {
-                fits(scene, own).or_else(|| (0..states.len()).find_map(|other| fits(scene, other)))
-            })
-            .collect();
-        let Some(sources) = sources else {
-            self.restart(scenes);
-            self.notes
-                .push("no running column to go on from: started again".into());
-            return;
-        };
-        let (build, time) = (&mut self.build, self.reached);
-        self.runners = scenes
-            .into_iter()
-            .zip(sources)
-            .map(|(scene, state)| Runner::new(build, scene, Some(state), time))
-            .collect();
-        let mut columns = self.runners.iter_mut();
-        if let Some(note) = columns.find_map(Runner::take_plate_note) {
-            note_once(&mut self.notes, note);
-        }
-    }
-
-    /// Starts the shadows from the present state of the columns, or ends them.
-    fn shade(&mut self, on: bool) {
-        let build = &mut self.build;
-        let columns = self.runners.iter_mut();
-        self.shadows = on.then(|| columns.map(|column| Shadow::of(build, column)).collect());
-    }
-
-    /// Starts the shadows anew after an edit; those that were given up stay so.
-    fn shade_again(&mut self, from: &[usize]) {
-        let Some(mut before) = self.shadows.take() else {
-            return;
-        };
-        self.shade(true);
-        let after = self.shadows.iter_mut().flatten();
-        for (shadow, &own) in after.zip(from) {
-            let old = before.get_mut(own);
-            if let Some(old) = old.filter(|old| old.as_ref().is_some_and(Shadow::is_given_up)) {
-                *shadow = shadow.take().and(old.take());
-            } else if shadow.is_some() {
-                note_once(&mut self.notes, "the exact run starts again from here");
-            }
-        }
-    }
-
-    /// The shadows work on when the columns have `arrived` where the clock wants them.
-    fn follow(&mut self, arrived: bool) {
-        let Some(shadows) = &mut self.shadows else {
-            return;
-        };
-        for (shadow, column) in shadows.iter_mut().zip(&mut self.runners) {
-            // The error of a column that has stopped is known no longer.
-            shadow.take_if(|_| !column.is_alive());
-            if let Some(shadow) = shadow {
-                shadow.follow(column, arrived);
-            }
-        }
-    }
-
-    fn is_shadow_waited_for(&self) -> bool {
-        let mut shadows = self.shadows.iter().flatten().flatten();
-        shadows.any(Shadow::is_waited_for)
-    }
-
-    /// The shadow of a column, where there is one.
-    fn shadow(&self, index: usize) -> Option<&Shadow> {
-        self.shadows.as_ref()?.get(index)?.as_ref()
     }
 
     fn set_running(&mut self, running: bool) {
         if self.paused == running {
             self.paused = !running;
-            self.clock.stand_at(self.reached, Instant::now());
+            self.clock.stand_at(self.position.reached, Instant::now());
         }
         self.held = false;
     }
@@ -275,38 +177,23 @@ impl Worker {
         self.history.set_capacity(sweep.columns);
     }
 
-    fn step_to_event(&mut self) {
-        self.set_running(false);
-        let ahead = self
-            .runners
-            .iter_mut()
-            .filter_map(Runner::next_event)
-            .reduce(f64::min);
-        if let Some(time) = ahead {
-            // An event that is due now is carried out by the smallest move.
-            self.clock.ask_for(time.max(self.reached.next_up()));
-        } else {
-            self.notes.push("no event ahead: one sample further".into());
-            self.clock.ask_for(self.reached + self.sweep.interval());
-        }
-    }
-
     /// Moves towards the clock's goal for about [`SLICE`]; whether it has come there.
     fn advance(&mut self) -> bool {
         let started = Instant::now();
         let (stride, mut taken) = (self.stride, 0);
-        while self.reached < self.clock.goal() && self.runners.iter().any(Runner::is_alive) {
-            let sample = self.sweep.next_sample(self.reached, stride);
+        while self.position.reached < self.clock.goal() && self.position.is_alive() {
+            let reached = self.position.reached;
+            let sample = self.sweep.next_sample(reached, stride);
             let sample_time = self.sweep.sample_time(sample);
+            let edit = self.past.edit_after(self.position.edits);
             let until = sample_time
                 .min(self.clock.goal())
-                .min(self.reached + self.stretch);
-            let mut arrived = true;
-            for runner in &mut self.runners {
-                arrived &= runner.advance(until);
-            }
+                .min(reached + self.stretch)
+                .min(edit.map_or(f64::INFINITY, |edit| edit.time));
+            self.under_way = Some(until);
+            let arrived = self.position.advance(until);
             if arrived {
-                self.reached = until;
+                self.arrive(until);
                 if until >= sample_time {
                     self.record();
                     taken += 1;
@@ -325,7 +212,23 @@ impl Worker {
             }
         }
         self.fit_stride(taken);
-        self.reached >= self.clock.goal() || !self.runners.iter().any(Runner::is_alive)
+        self.past.reach(self.position.reached, started.elapsed());
+        self.position.reached >= self.clock.goal() || !self.position.is_alive()
+    }
+
+    /// All columns have come to `until`, s, where edits of the past act again.
+    fn arrive(&mut self, until: f64) {
+        self.position.reached = until;
+        self.under_way = None;
+        let due = |past: &Past, edits| {
+            past.edit_after(edits)
+                .is_some_and(|edit| edit.time <= until)
+        };
+        while due(&self.past, self.position.edits) {
+            let mut position = std::mem::take(&mut self.position);
+            self.make_again(&mut position);
+            self.position = position;
+        }
     }
 
     /// Takes fewer samples when the columns run over so many of them in a slice, and
@@ -339,19 +242,25 @@ impl Worker {
     }
 
     fn record(&mut self) {
-        let errors: Vec<Option<f64>> = (0..self.runners.len())
+        let errors: Vec<Option<f64>> = (0..self.position.runners.len())
             .map(|index| self.shadow(index)?.height())
             .collect();
         let rows = self
+            .position
             .runners
             .iter_mut()
             .zip(errors)
             .map(|(runner, error)| runner.is_alive().then(|| Row::of(runner.observe(), error)))
             .collect();
-        self.history.push(Sample {
-            time: self.reached,
+        let sample = Sample {
+            time: self.position.reached,
             rows,
-        });
+        };
+        // What is sought is shown when it is found.
+        if self.sought.is_none() {
+            self.history.push(sample.clone());
+        }
+        self.past.add(sample);
     }
 
     /// Stands still at the end of a page that is to be looked at.
@@ -363,21 +272,43 @@ impl Worker {
     }
 
     fn publish(&mut self, at_once: bool) {
-        self.notes
-            .extend(self.runners.iter_mut().filter_map(Runner::take_note));
+        self.notes.extend(
+            self.position
+                .runners
+                .iter_mut()
+                .filter_map(Runner::take_note),
+        );
         let started = Instant::now();
         if !at_once && started < self.next_frame {
             return;
         }
-        let mut sides: Vec<Side> = self.runners.iter_mut().map(Runner::side).collect();
+        // On the way back there is nothing to see, unless it is long.
+        let found = self.position.reached >= self.clock.goal() || !self.position.is_alive();
+        if !found
+            && self
+                .sought
+                .is_some_and(|since| started < since + SEEN_ON_THE_WAY)
+        {
+            return;
+        }
+        let whole = self.sought.take_if(|_| found).is_some();
+        if whole {
+            let (time, columns) = (self.position.reached, self.sweep.columns);
+            self.history = self.past.page(time, columns);
+        }
+        let mut sides: Vec<Side> = self.position.runners.iter_mut().map(Runner::side).collect();
         for (index, side) in sides.iter_mut().enumerate() {
             side.accuracy = self.shadow(index).map(Shadow::accuracy);
         }
         let empty = History::new(self.sweep.columns);
         self.outlet.publish(Frame {
             generation: self.generation,
-            time: self.reached,
+            time: self.position.reached,
             sides,
+            scenes: self.position.scenes(),
+            end: self.past.end(),
+            whole,
+            towards: self.is_travelling().then(|| self.clock.goal()),
             history: std::mem::replace(&mut self.history, empty),
             notes: std::mem::take(&mut self.notes),
             paused: self.paused,
@@ -385,8 +316,21 @@ impl Worker {
             orders: self.orders,
             achieved: self.clock.achieved(),
         });
+        self.remember();
         // Large columns take long to look at: they shall move for most of the time.
         self.next_frame = started + (4 * started.elapsed()).clamp(FRAME, RAREST);
+    }
+}
+
+impl Worker {
+    /// Keeps this moment, where it is a new one and there is time to.
+    fn remember(&mut self) {
+        let started = Instant::now();
+        let new = self.position.reached >= self.past.end() && self.under_way.is_none();
+        if new && self.past.affords() {
+            self.past.keep(&self.position);
+            self.past.spend(started.elapsed());
+        }
     }
 }
 

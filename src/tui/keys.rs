@@ -2,15 +2,17 @@
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
+use crate::live::{Leap, Way};
+
 /// What a key asks for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Action {
     /// Pause, or go on.
     Pause,
-    /// Pause, and move on by one frame.
-    StepFrame,
-    /// Pause, and move on to the next event.
-    StepEvent,
+    /// Pause, and go back or on by one frame.
+    Frame(Way),
+    /// Pause, and go to another time.
+    Leap(Leap),
     /// Start again from t = 0.
     Restart,
     /// One speed of the ladder slower or faster.
@@ -98,6 +100,10 @@ const fn ctrl(codes: &'static [KeyCode], action: Action) -> Binding {
     }
 }
 
+const fn leap(codes: &'static [KeyCode], leap: Leap) -> Binding {
+    key(codes, Action::Leap(leap))
+}
+
 const fn nudge(codes: &'static [KeyCode], name: &'static str, steps: i32) -> Binding {
     key(
         codes,
@@ -132,17 +138,29 @@ impl Binding {
     }
 }
 
-use KeyCode::{Backspace, Char, Down, Enter, Left, PageDown, PageUp, Right, Up};
+use KeyCode::{Backspace, Char, Down, End, Enter, Home, Left, PageDown, PageUp, Right, Up};
 
 /// All keys, in the order of the help.
 pub const BINDINGS: &[Binding] = &[
     key(&[Char(' ')], Action::Pause)
         .help("space", "pause, go on")
         .hint("space", "pause", 1),
-    key(&[Char('.')], Action::StepFrame)
-        .help(".", "pause, and one frame further")
-        .hint(".", "step", 7),
-    key(&[Char('>')], Action::StepEvent).help(">", "pause, and on to the next event of ED"),
+    key(&[Char(',')], Action::Frame(Way::Back))
+        .help(
+            ", .",
+            "pause, and a frame back, on: held down, time runs so",
+        )
+        .hint(", .", "back, on", 7),
+    key(&[Char('.')], Action::Frame(Way::On)),
+    leap(&[Char('<')], Leap::Change(Way::Back))
+        .help("< >", "to the contact or collision before, after"),
+    leap(&[Char('>')], Leap::Change(Way::On)),
+    leap(&[Char('{')], Leap::Landing(Way::Back)).help("{ }", "to the landing before, after"),
+    leap(&[Char('}')], Leap::Landing(Way::On)),
+    leap(&[Char('(')], Leap::Period(Way::Back)).help("( )", "a period of the plate back, on"),
+    leap(&[Char(')')], Leap::Period(Way::On)),
+    leap(&[Home], Leap::To(0.0)).help("Home End", "to the start, to the latest"),
+    leap(&[End], Leap::End),
     key(&[Char('[')], Action::Speed(-1))
         .help("[ ]", "slower, faster")
         .hint("[ ]", "speed", 2),

@@ -72,6 +72,8 @@ pub struct Model {
     pub held: bool,
     /// Whether exact runs were asked for in the shadow of soft columns.
     pub shadow: bool,
+    /// Simulated time that the columns have come to, s, however far it is gone back.
+    pub end: f64,
     /// The traces.
     pub page: Page,
     /// What the numbers are written from.
@@ -115,6 +117,7 @@ impl Model {
         let fitting = pace::first_speed(bench.scenes(), sweep.span);
         let speed = speed.map_or(fitting, Speed::nearest);
         let model = Model {
+            end: 0.0,
             page: Page::new(sweep, bench.scenes()),
             selected: first_row(&bench),
             judged: None,
@@ -155,6 +158,7 @@ impl Model {
             self.speed = fitting;
         }
         self.page = Page::new(sweep, self.bench.scenes());
+        self.end = 0.0;
         (self.numbers, self.column) = (Glimpse::default(), Glimpse::default());
         Order::Load {
             generation: self.generation,
@@ -182,13 +186,15 @@ impl Model {
         if frame.generation != self.generation {
             return None;
         }
-        let still = frame.paused;
+        let still = frame.paused || frame.whole;
         // A frame from before the last order would take that order back on the screen.
         if frame.orders >= self.orders {
             (self.paused, self.held) = (frame.paused, frame.held);
+            self.bench.show(&frame.scenes);
         }
         let history = std::mem::replace(&mut frame.history, History::new(1));
-        let turned = self.page.take(frame.time, history);
+        let turned = self.page.take(frame.time, history, frame.whole);
+        self.end = frame.end;
         if !frame.notes.is_empty() {
             let failed = |side: &Side| matches!(side.status, Status::Failed(_));
             let alarm = frame.sides.iter().any(failed);
@@ -212,6 +218,10 @@ impl Model {
     pub(super) fn fit_page(&mut self, turned: bool, at_once: bool) -> Option<Order> {
         let present = self.page.sweep;
         let mut wanted = sweep(self.bench.scenes(), self.size, present.origin);
+        if self.page.now < present.origin {
+            // The page is of a time before its first edit.
+            wanted.origin = (self.page.now / wanted.span).floor() * wanted.span;
+        }
         let ratio = wanted.span / present.span;
         let bears = (0.6..1.7).contains(&ratio) && !turned && !at_once;
         if (ratio - 1.0).abs() < 1e-9 || bears {
@@ -286,6 +296,11 @@ impl Model {
             Some(scene) if !scene.is_md() => "ED",
             _ => "MD",
         }
+    }
+
+    /// Whether the screen shows what was, and not what the columns have come to.
+    pub fn is_back(&self) -> bool {
+        self.page.now < self.end
     }
 
     /// Whether every floor collision is over.

@@ -10,7 +10,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use super::caption::Reading;
 use super::keys::{self, Action};
 use super::model::{Bench, Menu, Model, Overlay, Prompt};
-use crate::live::{Frame, Order};
+use crate::live::{Frame, Leap, Order, Way};
 use crate::scene::Scene;
 use crate::study::verdict::Verdict;
 
@@ -139,6 +139,12 @@ fn on_menu_key(model: &mut Model, key: KeyEvent, now: Instant) -> Option<Command
     None
 }
 
+/// Stands still, and asks for another time.
+fn leap(model: &mut Model, to: Leap) -> Command {
+    (model.paused, model.held) = (true, false);
+    Command::Order(Order::Leap(to))
+}
+
 fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
     match action {
         Action::Pause => {
@@ -146,15 +152,12 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             model.held = false;
             Some(Command::Order(Order::Run(!model.paused)))
         }
-        Action::StepFrame => {
-            model.paused = true;
-            let step = model.speed.factor() * STEP_SECONDS;
-            Some(Command::Order(Order::Step(step)))
+        Action::Frame(way) => {
+            let sign = if way == Way::Back { -1.0 } else { 1.0 };
+            let step = sign * model.speed.factor() * STEP_SECONDS;
+            Some(leap(model, Leap::By(step)))
         }
-        Action::StepEvent => {
-            model.paused = true;
-            Some(Command::Order(Order::NextEvent))
-        }
+        Action::Leap(to) => Some(leap(model, to)),
         Action::Restart => {
             let running = !model.paused || model.held;
             Some(Command::Order(model.start(running)))

@@ -10,6 +10,7 @@ pub mod header;
 pub mod help;
 pub mod menu;
 pub mod parameters;
+pub mod past;
 pub mod prompt;
 pub mod raster;
 pub mod rules;

@@ -2,8 +2,8 @@
 //! test wants them.
 
 use crate::play::{
-    ASCII, Act, COLOURS, Fault, faulty, load, play, play_preset, preset, real, sweep, twins,
-    type_text, until,
+    ASCII, Act, COLOURS, Fault, MEMORY, faulty, load, play, play_preset, preset, real, sweep,
+    twins, type_text, until,
 };
 use crate::typist::{self, type_keys};
 use beadlab::live;
@@ -285,7 +285,7 @@ fn columns_have_no_discs() {
         !screen.contains("discs") && !screen.contains("filled"),
         "{screen}"
     );
-    let live = live::spawn(real()).expect("a thread");
+    let live = live::spawn(real(), MEMORY).expect("a thread");
     load(&live, twins("fig1b"), sweep(4e-4, true), 1e-4, true);
     let frame = until(&live, |frame| frame.time > 0.0);
     assert!(frame.sides.iter().all(|side| side.seen.discs.is_none()));

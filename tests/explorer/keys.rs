@@ -4,7 +4,7 @@ use crate::play::{ASCII, preset};
 use crate::typist::{
     edited, enter, message, model, press, refuse, restarted, restitutions, type_keys,
 };
-use beadlab::live::Order;
+use beadlab::live::{Leap, Order, Way};
 use beadlab::scene::{Launch, MethodName, Start};
 use beadlab::tui::model::{Model, Overlay};
 use beadlab::tui::update::Command;
@@ -179,11 +179,11 @@ fn space_steps_and_speeds_ask_for_what_they_say() {
         Some(Command::Order(Order::Run(true)))
     ));
     assert!(
-        matches!(type_keys(&mut model, "."), Some(Command::Order(Order::Step(time))) if time > 0.0)
+        matches!(type_keys(&mut model, "."), Some(Command::Order(Order::Leap(Leap::By(time)))) if time > 0.0)
     );
     assert!(matches!(
         type_keys(&mut model, ">"),
-        Some(Command::Order(Order::NextEvent))
+        Some(Command::Order(Order::Leap(Leap::Change(Way::On))))
     ));
     assert!(
         matches!(type_keys(&mut model, "["), Some(Command::Order(Order::Speed(s))) if (s - 0.02).abs() < 1e-12)

@@ -3,13 +3,13 @@
 use std::cell::RefCell;
 use std::time::Duration;
 
-use crate::play::{Fault, faulty, load, real, sweep, twins, until};
-use beadlab::live::{self, Frame, Order, Status};
+use crate::play::{Fault, MEMORY, faulty, load, real, sweep, twins, until};
+use beadlab::live::{self, Frame, Leap, Order, Status, Way};
 use beadlab::study::vary;
 
 #[test]
 fn no_order_is_lost() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     load(&live, twins("shaken"), sweep(0.3, false), 0.05, true);
     for k in 0..2000 {
         let order = if k % 2 == 0 {
@@ -27,7 +27,7 @@ fn no_order_is_lost() {
 
 #[test]
 fn paused_means_silent() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     load(&live, twins("shaken"), sweep(0.3, false), 0.05, false);
     let frame = until(&live, |frame| frame.orders == 1);
     assert!(frame.paused && frame.time == 0.0);
@@ -40,10 +40,10 @@ fn paused_means_silent() {
 
 #[test]
 fn a_step_goes_so_far_and_no_further() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     load(&live, twins("shaken"), sweep(0.3, false), 0.05, false);
     live.orders
-        .send(Order::Step(0.0123))
+        .send(Order::Leap(Leap::By(0.0123)))
         .expect("the simulation thread listens");
     let frame = until(&live, |frame| {
         frame.time > 0.0 && frame.paused && frame.time >= 0.0123
@@ -62,27 +62,27 @@ fn a_step_goes_so_far_and_no_further() {
 
 #[test]
 fn events_are_met_one_after_the_other() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     load(&live, twins("fig1b"), sweep(3e-4, true), 1e-5, false);
     let mut events = Vec::new();
     for k in 0..5 {
         live.orders
-            .send(Order::NextEvent)
+            .send(Order::Leap(Leap::Change(Way::On)))
             .expect("the simulation thread listens");
         let frame = until(&live, |frame| {
-            frame.orders == 2 + k && frame.sides[1].seen.events > k
+            frame.orders == 2 + k && frame.towards.is_none()
         });
-        events.push(frame.time);
+        // Contacts of the soft column and collisions of the hard one.
+        let changes: u64 = frame.sides.iter().map(|side| side.seen.changes).sum();
+        events.push((frame.time, changes));
     }
-    assert!(
-        events.windows(2).all(|pair| pair[0] <= pair[1]),
-        "{events:?}"
-    );
+    let later = |pair: &[(f64, u64)]| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1;
+    assert!(events.windows(2).all(later), "{events:?}");
 }
 
 #[test]
 fn a_screen_that_looks_away_misses_nothing_that_it_could_show() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     load(&live, twins("shaken"), sweep(0.3, false), 0.2, true);
     until(&live, |frame| frame.time > 0.0);
     std::thread::sleep(Duration::from_millis(700));
@@ -102,7 +102,7 @@ fn a_screen_that_looks_away_misses_nothing_that_it_could_show() {
 
 #[test]
 fn a_full_page_is_held() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     load(&live, twins("fig1a"), sweep(2e-4, true), 1e-3, true);
     let frame = until(&live, |frame| frame.held);
     assert!(frame.paused && frame.time < 2e-4);
@@ -115,7 +115,7 @@ fn a_full_page_is_held() {
 
 #[test]
 fn edits_go_on_and_change_what_moves() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     let scenes = twins("shaken");
     load(&live, scenes.clone(), sweep(0.3, false), 0.1, true);
     let before = until(&live, |frame| frame.time > 0.02);
@@ -146,7 +146,7 @@ fn edits_go_on_and_change_what_moves() {
 
 #[test]
 fn both_columns_stand_on_one_plate_after_edits_of_it() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     let scenes = twins("shaken");
     load(&live, scenes.clone(), sweep(0.3, false), 0.1, true);
     let shake = scenes[0].shake().expect("the columns are shaken");
@@ -182,7 +182,7 @@ fn both_columns_stand_on_one_plate_after_edits_of_it() {
     }
     // A passage that was under way is ended, and the next one begins a period later.
     live.orders
-        .send(Order::Step(6.0 / frequency))
+        .send(Order::Leap(Leap::By(6.0 / frequency)))
         .expect("the simulation thread listens");
     let goal = time + 6.0 / frequency;
     let frame = until(&live, |frame| frame.paused && frame.time >= goal);
@@ -211,7 +211,7 @@ fn assert_one_plate(frame: &Frame) {
 #[test]
 fn one_engine_may_fail_and_the_other_goes_on() {
     for fault in [Fault::Panics, Fault::Errs] {
-        let live = live::spawn(faulty(fault, 0.01)).expect("threads are to be had");
+        let live = live::spawn(faulty(fault, 0.01), MEMORY).expect("threads are to be had");
         load(&live, twins("shaken"), sweep(0.3, false), 0.1, true);
         let frame = until(&live, |frame| !frame.notes.is_empty());
         assert!(
@@ -239,7 +239,7 @@ fn one_engine_may_fail_and_the_other_goes_on() {
 
 #[test]
 fn speed_is_kept_and_measured() {
-    let live = live::spawn(real()).expect("threads are to be had");
+    let live = live::spawn(real(), MEMORY).expect("threads are to be had");
     let hard = vec![twins("shaken").remove(1)];
     load(&live, hard, sweep(0.3, false), 0.2, true);
     // Other programs may hold this one up for a while, but not for ever.

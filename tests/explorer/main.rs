@@ -19,6 +19,7 @@ mod fuzz;
 mod keys;
 mod live;
 mod methods;
+mod past;
 mod prompt;
 mod screens;
 mod shadow;

@@ -2,6 +2,7 @@
 //! typed by a script, and engines that misbehave on purpose.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -31,6 +32,9 @@ pub const ASCII: Theme = Theme {
     ascii: true,
     colour: false,
 };
+
+/// Memory for what was, bytes.
+pub const MEMORY: usize = 64 << 20;
 
 /// Nothing here takes so long.
 const LONG: Duration = Duration::from_secs(20);
@@ -99,7 +103,7 @@ pub fn play_preset(
 ) -> Vec<String> {
     let (mut model, start) =
         Model::new(preset, None, theme, size).expect("the preset has its twin");
-    let live = live::spawn(build).expect("threads are to be had");
+    let live = live::spawn(build, MEMORY).expect("threads are to be had");
     live.orders
         .send(start)
         .expect("the simulation thread listens");
@@ -190,7 +194,7 @@ pub enum Fault {
 }
 
 /// What stands in for a real engine's advance to a time; None: the real one.
-pub type StandIn = Box<dyn FnMut(f64) -> Option<Result<Outcome, EngineError>> + Send>;
+pub type StandIn = Arc<dyn Fn(f64) -> Option<Result<Outcome, EngineError>> + Send + Sync>;
 
 /// A real engine, but for its advance.
 #[derive(Clone)]
@@ -241,7 +245,7 @@ pub fn faulty(fault: Fault, at: f64) -> Build {
             if !scene.is_md() {
                 return (engine, handover);
             }
-            let advance = Box::new(misbehave);
+            let advance = Arc::new(misbehave);
             (Box::new(Behind { engine, advance }), handover)
         },
     )

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use crate::play::{Behind, Fault, faulty, load, preset, real, sweep, twins, until};
-use beadlab::live::{self, Accuracy, Build, Distance, Frame, Live, Order, reference};
+use crate::play::{Behind, Fault, MEMORY, faulty, load, preset, real, sweep, twins, until};
+use beadlab::live::{self, Accuracy, Build, Distance, Frame, Leap, Live, Order, reference};
 use beadlab::physics::{self, Engine, Handover, Outcome, State};
 use beadlab::scene::{
     Facts, GridSettings, Integrator, Method, MethodName, Scene, Soft, Solver, parameters,
@@ -53,7 +53,7 @@ fn is_given_up(frame: &Frame) -> bool {
 
 /// Steps a paused simulation to `time`; the distance there.
 fn step_to(live: &Live, from: f64, time: f64) -> Distance {
-    send(live, Order::Step(time - from));
+    send(live, Order::Leap(Leap::By(time - from)));
     let frame = until(live, |frame| {
         let compared = follows(frame).map(|(_, distance)| distance.time);
         frame.time >= time * (1.0 - 1e-12) && compared == Some(frame.sides[0].seen.time)
@@ -63,9 +63,9 @@ fn step_to(live: &Live, from: f64, time: f64) -> Distance {
 
 /// A column in the midst of its collision, paused, and a shadow that starts there.
 fn in_the_midst(scene: Scene, build: Build) -> Live {
-    let live = live::spawn(build).expect("threads are to be had");
+    let live = live::spawn(build, MEMORY).expect("threads are to be had");
     load(&live, vec![scene], sweep(3e-4, false), 1e-5, false);
-    send(&live, Order::Step(3e-5));
+    send(&live, Order::Leap(Leap::By(3e-5)));
     until(&live, |frame| frame.time >= 3e-5);
     send(&live, Order::Shadow(true));
     live
@@ -83,7 +83,7 @@ fn counted(stuck: bool) -> (Build, [Arc<AtomicUsize>; 2]) {
         }
         ever.fetch_add(1, Ordering::SeqCst);
         let counted = Counted::new(&now);
-        let advance = Box::new(move |_| {
+        let advance = Arc::new(move |_| {
             // The engine's life is this closure's.
             let _ = &counted;
             stuck.then_some(Ok(Outcome::OutOfBudget))
@@ -142,7 +142,7 @@ fn what_cannot_keep_up_is_given_up_until_it_is_asked_for_again() {
     let (build, _) = counted(true);
     let live = in_the_midst(coarse_verlet(), build);
     // Its patience is counted in turns of the loop, so no machine is too fast for it.
-    send(&live, Order::Step(5e-5));
+    send(&live, Order::Leap(Leap::By(5e-5)));
     let frame = until(&live, is_given_up);
     assert!(frame.time >= 8e-5 * (1.0 - 1e-12), "the column went on");
     // An edit does not bring it back.
@@ -157,7 +157,7 @@ fn what_cannot_keep_up_is_given_up_until_it_is_asked_for_again() {
     assert!(is_given_up(&until(&live, |frame| frame.orders > orders)));
     send(&live, Order::Shadow(true));
     until(&live, |frame| follows(frame).is_some());
-    send(&live, Order::Step(5e-5));
+    send(&live, Order::Leap(Leap::By(5e-5)));
     until(&live, is_given_up);
 }
 
@@ -172,7 +172,7 @@ fn a_shadow_that_stops_says_why_and_the_column_goes_on() {
         }
     });
     let live = in_the_midst(coarse_verlet(), mixed);
-    send(&live, Order::Step(5e-5));
+    send(&live, Order::Leap(Leap::By(5e-5)));
     let frame = until(&live, is_given_up);
     let why = &frame.sides[0].accuracy;
     assert!(
@@ -213,7 +213,7 @@ fn an_edit_starts_it_again() {
 #[test]
 fn pause_freezes_it_and_off_is_off() {
     let (build, [now, ever]) = counted(false);
-    let live = live::spawn(build).expect("threads are to be had");
+    let live = live::spawn(build, MEMORY).expect("threads are to be had");
     load(&live, twins("shaken"), sweep(0.3, false), 0.05, true);
     let frame = until(&live, |frame| frame.time > 0.01);
     assert!(frame.sides.iter().all(|side| side.accuracy.is_none()));

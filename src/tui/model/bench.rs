@@ -87,6 +87,28 @@ impl Bench {
         &self.scenes
     }
 
+    /// Shows scenes that were in force at another time. What was edited before then can be
+    /// undone, and what was edited later made again.
+    pub fn show(&mut self, scenes: &[Scene]) {
+        if self.scenes == scenes || scenes.is_empty() {
+            return;
+        }
+        let present = std::mem::replace(&mut self.scenes, scenes.to_vec());
+        let is_it = |edit: &Vec<Scene>| edit == scenes;
+        if let Some(found) = self.undo.iter().rposition(is_it) {
+            self.redo.push(present);
+            self.redo.extend(self.undo.drain(found + 1..).rev());
+            self.undo.pop();
+        } else if let Some(found) = self.redo.iter().rposition(is_it) {
+            self.undo.push(present);
+            self.undo.extend(self.redo.drain(found + 1..).rev());
+            self.redo.pop();
+        } else {
+            self.forget_edits();
+        }
+        self.settle();
+    }
+
     /// Whether the first scene is a lattice.
     pub fn is_lattice(&self) -> bool {
         self.scenes[0].sites().is_some()

@@ -35,13 +35,13 @@ impl Page {
         }
     }
 
-    /// Takes in the new samples, now that simulated time has come to `time`; whether
-    /// the page was turned.
-    pub fn take(&mut self, time: f64, history: History) -> bool {
-        if time < self.now {
+    /// Takes in the new samples, or those of the `whole` page in place of all others, now
+    /// that simulated time has come to `time`; whether the page was turned.
+    pub fn take(&mut self, time: f64, history: History, whole: bool) -> bool {
+        if whole || time < self.now {
             self.samples.clear();
         }
-        let turned = self.sweep.page(time) > self.sweep.page(self.now);
+        let turned = !whole && self.sweep.page(time) > self.sweep.page(self.now);
         self.now = time;
         if let (true, Some((bottom, top))) = (turned, extent(self.samples.iter())) {
             self.scale = self
@@ -171,7 +171,7 @@ mod tests {
                 rows: Vec::new(),
             });
         }
-        page.take(times.last().copied().unwrap_or(0.0), history)
+        page.take(times.last().copied().unwrap_or(0.0), history, false)
     }
 
     #[test]

@@ -4,8 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use super::accuracy;
 use super::menu::render_turn;
+use super::{accuracy, past};
 use crate::tui::caption::{Text, Turn, text_width, texts, turns};
 use crate::tui::keys::{BINDINGS, Hint};
 use crate::tui::layout::Layout;
@@ -31,6 +31,7 @@ pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
             };
             say(model, &message.text, style, area, buffer);
         }
+        _ if model.is_back() => past::render(model, area, buffer),
         _ if model.held => {
             let what = if model.is_over() {
                 "the collision is over"

@@ -128,6 +128,14 @@ fn clock(model: &Model) -> String {
         let what = if model.is_over() { "over" } else { "page full" };
         return format!("{time}  {} {what}", glyph("■", "#"));
     }
+    if model.is_back() {
+        let (sign, what) = if model.paused {
+            (glyph("‖", "="), "back")
+        } else {
+            (glyph("▶", ">"), "again")
+        };
+        return format!("{time}  {sign} {what}, {asked}");
+    }
     if model.paused {
         return format!("{time}  {} paused, {asked}", glyph("‖", "="));
     }

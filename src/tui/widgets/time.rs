@@ -119,7 +119,7 @@ mod tests {
             });
             number += 1;
         }
-        page.take(time, history);
+        page.take(time, history, false);
         page
     }
 
