@@ -12,15 +12,15 @@
 mod clock;
 mod history;
 mod runner;
+mod sampling;
 mod shadow;
 mod slot;
-mod sweep;
 mod worker;
 
-pub use history::{History, Row, Sample};
+pub use history::{ColumnSample, History, Sample};
 pub use runner::Build;
+pub use sampling::Sampling;
 pub use shadow::{Accuracy, Distance, reference};
-pub use sweep::Sweep;
 
 use std::thread;
 
@@ -42,7 +42,7 @@ pub enum Order {
         /// One column, or two on one clock.
         scenes: Vec<Scene>,
         /// When to sample the traces.
-        sweep: Sweep,
+        sweep: Sampling,
         /// Simulated seconds in a second.
         speed: f64,
         /// Whether to run at once.
@@ -65,7 +65,7 @@ pub enum Order {
     /// (true), or end.
     Shadow(bool),
     /// Sample the traces at other times.
-    Sweep(Sweep),
+    Sampling(Sampling),
     /// Pause, and move on by this many simulated seconds.
     Step(f64),
     /// Pause, and move on to the next event of a column that knows its events.

@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 use crossbeam_channel::{Receiver, RecvTimeoutError};
 
 use super::clock::Clock;
-use super::history::{History, Row, Sample};
+use super::history::{ColumnSample, History, Sample};
 use super::runner::{Build, Runner};
 use super::shadow::Shadow;
 use super::slot::Outlet;
-use super::{Frame, Order, Side, Sweep};
+use super::{Frame, Order, Sampling, Side};
 use crate::physics::State;
 use crate::scene::Scene;
 
@@ -34,7 +34,7 @@ pub(super) struct Worker {
     clock: Clock,
     reached: f64,
     speed: f64,
-    sweep: Sweep,
+    sweep: Sampling,
     /// Simulated time that both columns cover before either goes further, s.
     stretch: f64,
     /// Every how many-th sample is taken.
@@ -59,7 +59,7 @@ impl Worker {
             clock: Clock::new(now),
             reached: 0.0,
             speed: 1.0,
-            sweep: Sweep {
+            sweep: Sampling {
                 origin: 0.0,
                 span: 1.0,
                 columns: 1,
@@ -139,7 +139,7 @@ impl Worker {
             Order::Shadow(on) => self.shade(on),
             Order::Run(running) => self.set_running(running),
             Order::Speed(speed) => self.set_speed(speed),
-            Order::Sweep(sweep) => self.set_sweep(sweep),
+            Order::Sampling(sweep) => self.set_sweep(sweep),
             Order::Step(time) => {
                 self.set_running(false);
                 self.clock.ask_for(self.reached + time);
@@ -268,7 +268,7 @@ impl Worker {
         self.clock.set_speed(speed);
     }
 
-    fn set_sweep(&mut self, sweep: Sweep) {
+    fn set_sweep(&mut self, sweep: Sampling) {
         self.sweep = sweep;
         self.stretch = sweep.interval();
         self.stride = 1;
@@ -346,7 +346,11 @@ impl Worker {
             .runners
             .iter_mut()
             .zip(errors)
-            .map(|(runner, error)| runner.is_alive().then(|| Row::of(runner.observe(), error)))
+            .map(|(runner, error)| {
+                runner
+                    .is_alive()
+                    .then(|| ColumnSample::of(runner.observe(), error))
+            })
             .collect();
         self.history.push(Sample {
             time: self.reached,
