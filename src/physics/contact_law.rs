@@ -10,13 +10,13 @@ use super::spring::Spring;
 use crate::scene::{Law, Soft};
 
 /// What is built for a contact law.
-pub(super) trait Build {
+pub(super) trait UnderLaw {
     /// Builds it for this law of each contact's spring and dashpot.
     fn under<L: ContactLaw + 'static>(self, law: impl Fn(Spring) -> L) -> Box<dyn Engine>;
 }
 
 /// Builds for the law of these soft contacts.
-pub(super) fn build(soft: &Soft, what: impl Build) -> Box<dyn Engine> {
+pub(super) fn build(soft: &Soft, what: impl UnderLaw) -> Box<dyn Engine> {
     match (soft.law, soft.attraction) {
         (Law::Hooke { .. }, true) => what.under(Linear::<true>),
         (Law::Hooke { .. }, false) => what.under(Linear::<false>),

@@ -80,7 +80,7 @@ impl Parser {
             }
             self.take(byte);
             // An answer in its midst does not make a paste last.
-            if self.listener.heard != LastByte::Receipt && self.pending == Pending::Nothing {
+            if self.listener.last_byte != LastByte::Receipt && self.pending == Pending::Nothing {
                 self.pasted = now;
             }
         }
@@ -150,9 +150,9 @@ impl Parser {
             self.listener.skip = 0;
             self.listener.third = false;
         }
-        self.listener.heard = LastByte::Nothing;
+        self.listener.last_byte = LastByte::Nothing;
         self.grammar.advance(&mut self.listener, &[byte]);
-        self.pending = match (self.listener.heard, self.pending) {
+        self.pending = match (self.listener.last_byte, self.pending) {
             (LastByte::String, _) if byte == ESC => Pending::End,
             _ if byte == ESC => Pending::Escape,
             (LastByte::Introducer, _) | (LastByte::Nothing, Pending::Escape) => {
@@ -190,7 +190,7 @@ enum LastByte {
 #[derive(Default)]
 struct Listener {
     said: Vec<Said>,
-    heard: LastByte,
+    last_byte: LastByte,
     /// The text that is being pasted.
     paste: Option<String>,
     /// So many characters still belong to a sequence that the grammar does not know.
@@ -300,7 +300,7 @@ fn lettered(letter: char) -> Option<KeyCode> {
 
 impl Perform for Listener {
     fn print(&mut self, c: char) {
-        self.heard = LastByte::Something;
+        self.last_byte = LastByte::Something;
         if let Some(text) = &mut self.paste {
             if text.len() < LONGEST_PASTE {
                 text.push(c);
@@ -319,7 +319,7 @@ impl Perform for Listener {
     }
 
     fn execute(&mut self, byte: u8) {
-        self.heard = LastByte::Control;
+        self.last_byte = LastByte::Control;
         if let Some(text) = &mut self.paste {
             if text.len() < LONGEST_PASTE {
                 text.push(char::from(byte));
@@ -339,7 +339,7 @@ impl Perform for Listener {
     }
 
     fn csi_dispatch(&mut self, params: &Params, intermediates: &[u8], _: bool, last: char) {
-        self.heard = LastByte::Something;
+        self.last_byte = LastByte::Something;
         let mut params = params.iter();
         let first = params.next().unwrap_or(&[]);
         let number = first.first().copied().unwrap_or(0);
@@ -350,7 +350,7 @@ impl Perform for Listener {
         }
         // 0: ready; 3: a malfunction, but of a terminal that has read so far.
         if last == 'n' && matches!(number, 0 | 3) {
-            self.heard = LastByte::Receipt;
+            self.last_byte = LastByte::Receipt;
             self.said.push(Said::Receipt);
             return;
         }
@@ -384,12 +384,12 @@ impl Perform for Listener {
     }
 
     fn esc_dispatch(&mut self, _: &[u8], _: bool, byte: u8) {
-        self.heard = LastByte::Something;
+        self.last_byte = LastByte::Something;
         match byte {
             _ if self.paste.is_some() => {}
             b'O' => {
                 self.third = true;
-                self.heard = LastByte::Introducer;
+                self.last_byte = LastByte::Introducer;
             }
             // The end of a string.
             b'\\' => {}
@@ -398,11 +398,11 @@ impl Perform for Listener {
     }
 
     fn osc_dispatch(&mut self, _: &[&[u8]], _: bool) {
-        self.heard = LastByte::String;
+        self.last_byte = LastByte::String;
     }
 
     fn unhook(&mut self) {
-        self.heard = LastByte::String;
+        self.last_byte = LastByte::String;
     }
 }
 
