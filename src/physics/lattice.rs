@@ -61,8 +61,7 @@ pub(super) fn build(scene: &Scene, sites: Sites, state: State) -> Box<dyn Engine
         settings,
         wait: 2.0 * scene.n as f64 * crossing.max(settings.contact_time),
     };
-    let soft = scene.soft().expect("the contacts of a lattice are soft");
-    contact_law::build(&soft, LatticeParts { plane, state })
+    contact_law::build(scene, LatticeParts { plane, state })
 }
 
 /// All that an engine is built of but the contact law.

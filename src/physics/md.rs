@@ -73,9 +73,8 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
         masses,
         springs,
     };
-    let soft = scene.soft().expect("the scene's contacts are soft");
     contact_law::build(
-        &soft,
+        scene,
         ChainParts {
             scene,
             settings,

@@ -26,7 +26,7 @@ pub(super) trait PlaneMover: Send {
 }
 
 /// A lattice that an integrator moves.
-pub(super) struct PlaneMoved<M, L, S> {
+pub(super) struct PlaneMoved<M, L: ContactLaw, S> {
     stepper: M,
     forces: LatticeForces<L, S>,
 }
@@ -75,7 +75,6 @@ impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneMover for PlaneMoved<M, L,
     }
 
     fn list_anew(&mut self) {
-        let Web { sites, list, .. } = &mut self.forces.web;
-        list.make(sites, self.stepper.places());
+        self.forces.list_anew(self.stepper.places());
     }
 }
