@@ -6,7 +6,7 @@ mod values;
 use crate::scene::MethodName;
 use crate::study::export::{self, FORMATS};
 use clap::builder::PossibleValue;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, ValueEnum};
 use help::{
     ACCURACY_EXAMPLES, ADVISE_EXAMPLES, EXAMPLES, FIGURE_EXAMPLES, PRESET_EXAMPLES, RUN_EXAMPLES,
     STABILITY_EXAMPLES, SWEEP_EXAMPLES, run_long_help,
@@ -24,16 +24,16 @@ use values::{between, budget, positive, speed, tolerance};
 pub struct Cli {
     /// What to do; without it the explorer opens.
     #[command(subcommand)]
-    pub command: Option<Command>,
+    pub command: Option<Subcommand>,
 
     /// What to explore.
     #[command(flatten)]
     pub explore: ExploreArgs,
 }
 
-/// Subcommands.
-#[derive(Debug, Subcommand)]
-pub enum Command {
+/// What the program does besides exploring.
+#[derive(Debug, clap::Subcommand)]
+pub enum Subcommand {
     /// Run a scene without pictures and print what it measures
     #[command(after_help = RUN_EXAMPLES, after_long_help = run_long_help())]
     Run(RunArgs),
@@ -293,7 +293,7 @@ pub enum ReportFormat {
 }
 
 /// What to do with presets.
-#[derive(Debug, Subcommand)]
+#[derive(Debug, clap::Subcommand)]
 pub enum PresetsAction {
     /// List names and titles
     List,

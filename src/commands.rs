@@ -15,7 +15,7 @@ pub mod stability;
 pub mod sweep;
 mod usage;
 
-use crate::cli::{Cli, Command};
+use crate::cli::{Cli, Subcommand};
 use crate::scene::parameters::{self, Setting};
 use crate::scene::words::{one_line, quote};
 use crate::scene::{MethodName, Preset};
@@ -70,18 +70,18 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
     };
     // The explorer and a sweep have their own ways to end.
     let others = cli.command.as_ref();
-    if others.is_some_and(|command| !matches!(command, Command::Sweep(_))) {
+    if others.is_some_and(|command| !matches!(command, Subcommand::Sweep(_))) {
         signals::leave_nothing_behind()?;
     }
     match cli.command {
-        Some(Command::Run(args)) => run::run(&args),
-        Some(Command::Accuracy(args)) => accuracy::run(&args),
-        Some(Command::Advise(args)) => advise::run(&args),
-        Some(Command::Stability(args)) => stability::run(&args),
-        Some(Command::Speed(args)) => speed::run(&args),
-        Some(Command::Sweep(args)) => sweep::run(&args),
-        Some(Command::Figure(args)) => figure::run(&args),
-        Some(Command::Presets { action }) => presets::presets(action.as_ref()),
+        Some(Subcommand::Run(args)) => run::run(&args),
+        Some(Subcommand::Accuracy(args)) => accuracy::run(&args),
+        Some(Subcommand::Advise(args)) => advise::run(&args),
+        Some(Subcommand::Stability(args)) => stability::run(&args),
+        Some(Subcommand::Speed(args)) => speed::run(&args),
+        Some(Subcommand::Sweep(args)) => sweep::run(&args),
+        Some(Subcommand::Figure(args)) => figure::run(&args),
+        Some(Subcommand::Presets { action }) => presets::presets(action.as_ref()),
         None => {
             let args = cli.explore;
             let preset = load(&args.preset, None, &args.settings)?;

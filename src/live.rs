@@ -13,15 +13,15 @@ mod clock;
 mod history;
 mod past;
 mod runner;
+mod sampling;
 mod shadow;
 mod slot;
-mod sweep;
 mod worker;
 
-pub use history::{History, Row, Sample};
+pub use history::{ColumnSample, History, Sample};
 pub use runner::Build;
+pub use sampling::Sampling;
 pub use shadow::{Accuracy, Distance, reference};
-pub use sweep::Sweep;
 
 use std::thread;
 
@@ -43,7 +43,7 @@ pub enum Order {
         /// One column, or two on one clock.
         scenes: Vec<Scene>,
         /// When to sample the traces.
-        sweep: Sweep,
+        sweep: Sampling,
         /// Simulated seconds in a second.
         speed: f64,
         /// Whether to run at once.
@@ -66,7 +66,7 @@ pub enum Order {
     /// (true), or end.
     Shadow(bool),
     /// Sample the traces at other times.
-    Sweep(Sweep),
+    Sampling(Sampling),
     /// Pause, and go to another time.
     Leap(Leap),
 }

@@ -23,7 +23,7 @@ mod vary;
 pub mod verdict;
 
 pub use drive::{Allowance, Drive, RunError, SLICE, Watch, in_time, natural_time};
-pub use findings::{Finding, Findings, Stage, run, sensitivity};
+pub use findings::{Finding, FindingStage, Findings, run, sensitivity};
 pub use measure::{Results, measure};
 pub use sensitivity::{Sensitivity, work_of_sensitivity};
 pub use vary::{PATTERNS, one_ulp_off, vary};

@@ -25,14 +25,14 @@ const ROOM: usize = 70;
 const PARTS: u16 = 1000;
 
 /// A line on standard error that moves from [`PATIENCE`] on, however busy the program is.
-struct Line {
+struct ProgressLine {
     bar: ProgressBar,
     /// Ends the thread that brings the line up, when it is dropped.
     over: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
-impl Line {
+impl ProgressLine {
     /// Nothing where standard error is no terminal.
     fn new(length: u64, style: ProgressStyle) -> Option<Self> {
         if !io::stderr().is_terminal() {
@@ -58,7 +58,7 @@ impl Line {
     }
 }
 
-impl Drop for Line {
+impl Drop for ProgressLine {
     fn drop(&mut self) {
         drop(self.over.take());
         if let Some(thread) = self.thread.take() {
@@ -106,7 +106,7 @@ fn style_of(has_part: bool) -> ProgressStyle {
 
 /// What a command is at, on standard error, if that is a terminal.
 pub(in crate::commands) struct Waiting {
-    line: Option<Line>,
+    line: Option<ProgressLine>,
     what: String,
     has_part: bool,
     due: Instant,
@@ -115,7 +115,7 @@ pub(in crate::commands) struct Waiting {
 impl Waiting {
     pub fn new() -> Self {
         Self {
-            line: Line::new(PARTS.into(), style_of(false)),
+            line: ProgressLine::new(PARTS.into(), style_of(false)),
             ..Self::unseen()
         }
     }
@@ -133,7 +133,7 @@ impl Waiting {
     /// Shows what the command is at, and a bar of the part of it that is done, if that is
     /// known; otherwise how long it has been at work.
     pub fn show(&mut self, what: &str, part: Option<f64>) {
-        let Some(Line { bar, .. }) = &self.line else {
+        let Some(ProgressLine { bar, .. }) = &self.line else {
             return;
         };
         // Some tell it a thousand times between two looks, and measure times.
@@ -164,7 +164,7 @@ impl Waiting {
 /// A bar on standard error that counts rows, if that is a terminal; rows are shown from
 /// any thread.
 pub(in crate::commands) struct RowsDone {
-    line: Option<Line>,
+    line: Option<ProgressLine>,
     done: AtomicUsize,
     all: usize,
 }
@@ -179,8 +179,8 @@ impl RowsDone {
             "{bar:30} {msg} rows  {elapsed}  {left}"
         };
         let wanted = (done < all).then(|| style(template, parts(done)));
-        let line = wanted.and_then(|style| Line::new(parts(all), style));
-        if let Some(Line { bar, .. }) = &line {
+        let line = wanted.and_then(|style| ProgressLine::new(parts(all), style));
+        if let Some(ProgressLine { bar, .. }) = &line {
             bar.set_position(parts(done));
             bar.set_message(format!("{done}/{all}"));
         }
@@ -228,13 +228,13 @@ impl RowOnItsWay<'_> {
     pub fn done(mut self) {
         self.come_to(PARTS);
         let done = self.rows.done.fetch_add(1, Ordering::Relaxed) + 1;
-        if let Some(Line { bar, .. }) = &self.rows.line {
+        if let Some(ProgressLine { bar, .. }) = &self.rows.line {
             bar.set_message(format!("{done}/{}", self.rows.all));
         }
     }
 
     fn come_to(&mut self, parts: u16) {
-        if let Some(Line { bar, .. }) = &self.rows.line
+        if let Some(ProgressLine { bar, .. }) = &self.rows.line
             && parts > self.shown
         {
             bar.inc(u64::from(parts - self.shown));

@@ -10,7 +10,7 @@ use crate::cli::RunArgs;
 use crate::physics::spectrum;
 use crate::scene::{Preset, Scene};
 use crate::study::export::FORMATS;
-use crate::study::{self, Drive, Findings, Stage};
+use crate::study::{self, Drive, FindingStage, Findings};
 use runs::Runs;
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
@@ -80,7 +80,7 @@ fn motion(args: &RunArgs, every: f64) -> Result<(), Failure> {
     };
     let mut runs = Runs::new(&preset.scene, false, waiting);
     let mut watch = |time| {
-        runs.show(Stage::Run(time));
+        runs.show(FindingStage::Run(time));
         ControlFlow::Continue(())
     };
     let drive = Drive::new(&preset.scene, &mut watch);

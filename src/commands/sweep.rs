@@ -10,9 +10,9 @@ use super::{Failure, bad_input, layer};
 use crate::cli::SweepArgs;
 use crate::scene::Preset;
 use crate::scene::words::{one_line, quote};
-use crate::study::sweep::{self, Axis, Sweep, measure_unless};
-use file::{Mode, RowsFile};
-use rows::{Format, Row};
+use crate::study::sweep::{self, Sweep, SweepAxis, measure_unless};
+use file::{FileMode, RowsFile};
+use rows::{PointRow, RowFormat};
 use std::ops::ControlFlow;
 use std::thread;
 
@@ -24,11 +24,11 @@ use std::thread;
 /// have no results, [`Failure::Interrupted`] after a signal.
 pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     let sweep = prepare(args)?;
-    let format = Format::of(&sweep, args);
+    let format = RowFormat::of(&sweep, args);
     let mode = match (args.resume, args.overwrite) {
-        (true, _) => Mode::Resume,
-        (_, true) => Mode::Overwrite,
-        _ => Mode::New,
+        (true, _) => FileMode::Resume,
+        (_, true) => FileMode::Overwrite,
+        _ => FileMode::New,
     };
     let (mut file, before) = RowsFile::open(&args.out, mode, &format, &sweep)?;
     let mut failed = before.failed;
@@ -44,9 +44,9 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
             let mut row = progress.row(&scene);
             let outcome = measure_unless(&scene, interrupt.flag(), &mut |time| row.show(time))?;
             row.done();
-            Some(Row::of(outcome))
+            Some(PointRow::of(outcome))
         },
-        |row, measured| match file.push(&Format::line(&sweep.values(row), &measured)) {
+        |row, measured| match file.push(&RowFormat::line(&sweep.values(row), &measured)) {
             Ok(()) => {
                 failed += usize::from(measured.failed());
                 ControlFlow::Continue(())
@@ -91,7 +91,8 @@ fn prepare(args: &SweepArgs) -> Result<Sweep, Failure> {
         .over
         .iter()
         .map(|text| {
-            Axis::parse(text).map_err(|error| bad_input(format!("--over {}: {error}", quote(text))))
+            SweepAxis::parse(text)
+                .map_err(|error| bad_input(format!("--over {}: {error}", quote(text))))
         })
         .collect::<Result<Vec<_>, _>>()?;
     Sweep::new(preset, args.method, settings, axes).map_err(bad_input)

@@ -9,7 +9,7 @@ const LINES: usize = 64;
 
 /// One column in a sample. Single precision: it is drawn, not computed with.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct ColumnSample {
     /// Height of the floor, m.
     pub floor: f32,
     /// Reduced heights of the beads that have a line, bottom to top, m.
@@ -28,13 +28,13 @@ pub struct Sample {
     /// Simulated time, s.
     pub time: f64,
     /// One row a column; none where its engine has failed.
-    pub rows: Vec<Option<Row>>,
+    pub rows: Vec<Option<ColumnSample>>,
 }
 
 impl Sample {
     /// About how much memory it takes, bytes.
     pub(super) fn bytes(&self) -> usize {
-        let lines = |row: &Row| size_of_val(row.reduced.as_slice());
+        let lines = |row: &ColumnSample| size_of_val(row.reduced.as_slice());
         let rows = size_of_val(self.rows.as_slice());
         size_of::<Self>() + rows + self.rows.iter().flatten().map(lines).sum::<usize>()
     }
@@ -49,16 +49,16 @@ pub struct History {
     capacity: usize,
 }
 
-impl Row {
+impl ColumnSample {
     /// The row of one observation and the error known of it, its beads thinned to the lines
     /// of a trace; a row of a lattice has one line.
-    pub fn of(seen: &Observation, error: Option<f64>) -> Row {
+    pub fn of(seen: &Observation, error: Option<f64>) -> ColumnSample {
         #[expect(clippy::cast_possible_truncation, reason = "drawn, not computed with")]
         let single = |x: f64| x as f32;
         let means = seen.discs.as_ref().map(|discs| means(seen, discs));
         let heights = means.as_ref().unwrap_or(&seen.reduced);
         let stride = stride(heights.len());
-        Row {
+        ColumnSample {
             floor: single(seen.floor),
             reduced: heights
                 .iter()
@@ -200,7 +200,7 @@ mod tests {
             discs: Some(discs),
             ..Observation::default()
         };
-        assert_eq!(Row::of(&seen, None).reduced, [3.0, 5.0]);
+        assert_eq!(ColumnSample::of(&seen, None).reduced, [3.0, 5.0]);
     }
 
     #[test]
@@ -209,7 +209,7 @@ mod tests {
             reduced: (0..1000).map(f64::from).collect(),
             ..Observation::default()
         };
-        let row = Row::of(&seen, None);
+        let row = ColumnSample::of(&seen, None);
         assert!(row.reduced.len() <= LINES);
         assert_eq!(row.reduced.last(), Some(&999.0));
         assert_eq!(stride(10), 1);

@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 use crossbeam_channel::{Receiver, RecvTimeoutError};
 
 use super::clock::Clock;
-use super::history::{History, Row, Sample};
+use super::history::{ColumnSample, History, Sample};
 use super::past::{Past, Position};
 use super::runner::{Build, Runner};
 use super::shadow::Shadow;
 use super::slot::Outlet;
-use super::{Frame, Order, Side, Sweep};
+use super::{Frame, Order, Sampling, Side};
 
 /// The columns move for this long between two looks at the orders.
 const SLICE: Duration = Duration::from_millis(4);
@@ -42,7 +42,7 @@ pub(super) struct Worker {
     shadows: Option<Vec<Option<Shadow>>>,
     clock: Clock,
     speed: f64,
-    sweep: Sweep,
+    sweep: Sampling,
     /// Simulated time that both columns cover before either goes further, s.
     stretch: f64,
     /// Every how many-th sample is taken.
@@ -69,7 +69,7 @@ impl Worker {
             shadows: None,
             clock: Clock::new(now),
             speed: 1.0,
-            sweep: Sweep {
+            sweep: Sampling {
                 origin: 0.0,
                 span: 1.0,
                 columns: 1,
@@ -152,7 +152,7 @@ impl Worker {
             Order::Shadow(on) => self.shade(on),
             Order::Run(running) => self.set_running(running),
             Order::Speed(speed) => self.set_speed(speed),
-            Order::Sweep(sweep) => self.set_sweep(sweep),
+            Order::Sampling(sweep) => self.set_sweep(sweep),
             Order::Leap(leap) => self.leap(leap),
         }
     }
@@ -170,7 +170,7 @@ impl Worker {
         self.clock.set_speed(speed);
     }
 
-    fn set_sweep(&mut self, sweep: Sweep) {
+    fn set_sweep(&mut self, sweep: Sampling) {
         self.sweep = sweep;
         self.stretch = sweep.interval();
         self.stride = 1;
@@ -250,7 +250,11 @@ impl Worker {
             .runners
             .iter_mut()
             .zip(errors)
-            .map(|(runner, error)| runner.is_alive().then(|| Row::of(runner.observe(), error)))
+            .map(|(runner, error)| {
+                runner
+                    .is_alive()
+                    .then(|| ColumnSample::of(runner.observe(), error))
+            })
             .collect();
         let sample = Sample {
             time: self.position.reached,

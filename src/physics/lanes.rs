@@ -22,15 +22,24 @@ pub(super) const BEYOND: f64 = 1e300;
 pub(crate) trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> + Mul<Output = Self>
 {
+    /// A thing for each lane.
+    type Each<M: Copy + Default + Send>: Copy + Default + Send;
     /// Itself where gap `g` is a contact, elsewhere 0.
     fn where_closed(self, g: Self) -> Self;
     /// Itself where it is above 0, elsewhere 0.
     fn positive(self) -> Self;
-    /// What `law` gives for gap and rate, in each lane.
-    fn singly(g: Self, w: Self, law: impl Fn(f64, f64) -> (f64, f64)) -> (Self, Self);
+    /// What `law` gives for gap, rate and memory, in each lane.
+    fn singly<M: Copy + Default + Send>(
+        g: Self,
+        w: Self,
+        memory: &mut Self::Each<M>,
+        law: impl Fn(f64, f64, &mut M) -> (f64, f64),
+    ) -> (Self, Self);
 }
 
 impl Number for f64 {
+    type Each<M: Copy + Default + Send> = M;
+
     #[inline]
     fn where_closed(self, g: Self) -> Self {
         if g <= 0.0 { self } else { 0.0 }
@@ -42,12 +51,19 @@ impl Number for f64 {
     }
 
     #[inline]
-    fn singly(g: Self, w: Self, law: impl Fn(f64, f64) -> (f64, f64)) -> (Self, Self) {
-        law(g, w)
+    fn singly<M: Copy + Default + Send>(
+        g: Self,
+        w: Self,
+        memory: &mut M,
+        law: impl Fn(f64, f64, &mut M) -> (f64, f64),
+    ) -> (Self, Self) {
+        law(g, w, memory)
     }
 }
 
 impl Number for Lane {
+    type Each<M: Copy + Default + Send> = [M; LANES];
+
     #[inline]
     fn where_closed(self, g: Self) -> Self {
         self & g.simd_le(Self::ZERO)
@@ -59,9 +75,14 @@ impl Number for Lane {
     }
 
     #[inline]
-    fn singly(g: Self, w: Self, law: impl Fn(f64, f64) -> (f64, f64)) -> (Self, Self) {
+    fn singly<M: Copy + Default + Send>(
+        g: Self,
+        w: Self,
+        memory: &mut [M; LANES],
+        law: impl Fn(f64, f64, &mut M) -> (f64, f64),
+    ) -> (Self, Self) {
         let (g, w) = (g.to_array(), w.to_array());
-        let both: [_; LANES] = std::array::from_fn(|l| law(g[l], w[l]));
+        let both: [_; LANES] = std::array::from_fn(|l| law(g[l], w[l], &mut memory[l]));
         (
             Self::new(both.map(|(force, _)| force)),
             Self::new(both.map(|(_, power)| power)),

@@ -19,7 +19,7 @@ mod view;
 
 use super::Engine;
 use super::column::{masses, springs};
-use super::contact_law::{self, Build, ContactLaw};
+use super::contact_law::{self, ContactLaw, UnderLaw};
 use super::grid::Settings;
 use super::spring::Spring;
 use super::state::State;
@@ -62,17 +62,16 @@ pub(super) fn build(scene: &Scene, sites: Sites, state: State) -> Box<dyn Engine
         settings,
         wait: 2.0 * scene.n as f64 * crossing.max(settings.contact_time),
     };
-    let soft = scene.soft().expect("the contacts of a lattice are soft");
-    contact_law::build(&soft, Parts { plane, state })
+    contact_law::build(scene, LatticeParts { plane, state })
 }
 
 /// All that an engine is built of but the contact law.
-struct Parts {
+struct LatticeParts {
     plane: Plane,
     state: State,
 }
 
-impl Build for Parts {
+impl UnderLaw for LatticeParts {
     fn under<L: ContactLaw + 'static>(self, law: impl Fn(Spring) -> L) -> Box<dyn Engine> {
         let Self { plane, state } = self;
         let laws = Laws {

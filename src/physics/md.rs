@@ -17,7 +17,7 @@ use std::marker::PhantomData;
 
 use super::Engine;
 use super::column::{masses, springs};
-use super::contact_law::{self, Build, ContactLaw};
+use super::contact_law::{self, ContactLaw, UnderLaw};
 use super::grid::Settings;
 use super::spring::Spring;
 use super::state::State;
@@ -73,10 +73,9 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
         masses,
         springs,
     };
-    let soft = scene.soft().expect("the scene's contacts are soft");
     contact_law::build(
-        &soft,
-        Parts {
+        scene,
+        ChainParts {
             scene,
             settings,
             state,
@@ -87,7 +86,7 @@ fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
 }
 
 /// All that an engine is built of but the contact law.
-struct Parts<'a, S, G> {
+struct ChainParts<'a, S, G> {
     scene: &'a Scene,
     settings: Settings,
     state: State,
@@ -95,7 +94,7 @@ struct Parts<'a, S, G> {
     stepper: PhantomData<S>,
 }
 
-impl<S: Stepper + 'static, G: Ground + 'static> Build for Parts<'_, S, G> {
+impl<S: Stepper + 'static, G: Ground + 'static> UnderLaw for ChainParts<'_, S, G> {
     fn under<L: ContactLaw + 'static>(self, law: impl Fn(Spring) -> L) -> Box<dyn Engine> {
         let Self {
             scene,

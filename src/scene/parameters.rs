@@ -39,7 +39,7 @@ pub enum Kind {
         /// Largest value, SI.
         max: f64,
         /// How a key press moves it.
-        scale: Scale,
+        scale: NudgeScale,
     },
     /// A whole number from `min` to `max`.
     Whole {
@@ -60,7 +60,7 @@ pub enum Kind {
 
 /// What one key press does to a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Scale {
+pub enum NudgeScale {
     /// Adds a step, SI.
     Linear {
         /// Step of one key press.

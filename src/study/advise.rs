@@ -121,7 +121,7 @@ pub enum AdviseError {
 
 /// What of a scene is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum SceneKind {
     /// A floor collision without gravity: its ε_eff.
     Launched,
     /// A column that falls on a floor at rest: its mean height.
@@ -130,7 +130,7 @@ enum Kind {
     Shaken,
 }
 
-impl Kind {
+impl SceneKind {
     fn of(scene: &Scene) -> Self {
         match (scene.gravity, scene.alpha()) {
             (None, _) => Self::Launched,
@@ -142,9 +142,9 @@ impl Kind {
 
 /// The tolerance where nobody says otherwise: means on a plate have errors of their own.
 pub fn common_tolerance(scene: &Scene) -> f64 {
-    match Kind::of(scene) {
-        Kind::Launched | Kind::Falling => 0.01,
-        Kind::Shaken => 0.05,
+    match SceneKind::of(scene) {
+        SceneKind::Launched | SceneKind::Falling => 0.01,
+        SceneKind::Shaken => 0.05,
     }
 }
 

@@ -30,10 +30,10 @@ pub struct Format {
 }
 
 /// What begins to write the motion of a scene.
-pub type Begin = for<'a> fn(&'a Scene, &'a mut dyn Write) -> io::Result<Box<dyn Motion + 'a>>;
+pub type Begin = for<'a> fn(&'a Scene, &'a mut dyn Write) -> io::Result<Box<dyn MotionWriter + 'a>>;
 
 /// A motion that is written, moment by moment.
-pub trait Motion {
+pub trait MotionWriter {
     /// Writes a moment, all of whose numbers are finite.
     ///
     /// # Errors

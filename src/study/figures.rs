@@ -4,7 +4,6 @@
 //! Every figure gives claims (what the paper says, what comes out here, whether that is
 //! within what is allowed), plots, and the numbers behind them.
 
-mod bench;
 mod claim;
 mod columns;
 mod fig1;
@@ -17,6 +16,7 @@ mod landings;
 mod limits;
 mod pair;
 mod plateau;
+mod pool;
 mod runs;
 mod shaken;
 mod table1;
@@ -30,7 +30,7 @@ use super::{RunError, Tell};
 use crate::scene::SceneError;
 use crate::scene::preset::PresetError;
 use crate::scene::words::{did_you_mean, quote};
-use bench::Bench;
+use pool::RunPool;
 
 /// What a figure gives.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -52,7 +52,7 @@ pub struct Figure {
     pub name: &'static str,
     /// What it is, in one line.
     pub title: &'static str,
-    make: fn(&mut Bench) -> Result<Sheet, FigureError>,
+    make: fn(&mut RunPool) -> Result<Sheet, FigureError>,
 }
 
 /// Why there is no figure.
@@ -93,32 +93,32 @@ static FIGURES: &[Figure] = &[
     Figure {
         name: "1a",
         title: "Fig. 1(a): MD, no gaps",
-        make: |bench| fig1::sheet('a', bench),
+        make: |pool| fig1::sheet('a', pool),
     },
     Figure {
         name: "1b",
         title: "Fig. 1(b): MD, gaps of 1e-6 m",
-        make: |bench| fig1::sheet('b', bench),
+        make: |pool| fig1::sheet('b', pool),
     },
     Figure {
         name: "1c",
         title: "Fig. 1(c): MD, gaps of 1e-5 m",
-        make: |bench| fig1::sheet('c', bench),
+        make: |pool| fig1::sheet('c', pool),
     },
     Figure {
         name: "1d",
         title: "Fig. 1(d): ED, no gaps",
-        make: |bench| fig1::sheet('d', bench),
+        make: |pool| fig1::sheet('d', pool),
     },
     Figure {
         name: "1e",
         title: "Fig. 1(e): ED, gaps of 1e-6 m",
-        make: |bench| fig1::sheet('e', bench),
+        make: |pool| fig1::sheet('e', pool),
     },
     Figure {
         name: "1f",
         title: "Fig. 1(f): ED, gaps of 1e-5 m",
-        make: |bench| fig1::sheet('f', bench),
+        make: |pool| fig1::sheet('f', pool),
     },
     Figure {
         name: "2a",
@@ -158,12 +158,12 @@ static FIGURES: &[Figure] = &[
     Figure {
         name: "5a",
         title: "Fig. 5(a): MD with t_c = 0.7e-3 s",
-        make: |bench| shaken::sheet("fig5a", bench),
+        make: |pool| shaken::sheet("fig5a", pool),
     },
     Figure {
         name: "5b",
         title: "Fig. 5(b): MD with t_c = 0.7e-5 s",
-        make: |bench| shaken::sheet("fig5b", bench),
+        make: |pool| shaken::sheet("fig5b", pool),
     },
     Figure {
         name: "plateau",
@@ -173,12 +173,12 @@ static FIGURES: &[Figure] = &[
     Figure {
         name: "6a",
         title: "Fig. 6(a): aluminium beads, as ED",
-        make: |bench| shaken::sheet("fig6a", bench),
+        make: |pool| shaken::sheet("fig6a", pool),
     },
     Figure {
         name: "6b",
         title: "Fig. 6(b): aluminium beads, MD",
-        make: |bench| shaken::sheet("fig6b", bench),
+        make: |pool| shaken::sheet("fig6b", pool),
     },
     Figure {
         name: "7",
@@ -221,6 +221,6 @@ impl Figure {
     /// When a run fails.
     pub fn make(&self, pains: Pains, tell: &mut Tell) -> Result<Sheet, FigureError> {
         tell(self.title, None);
-        (self.make)(&mut Bench::new(self.title, pains, tell))
+        (self.make)(&mut RunPool::new(self.title, pains, tell))
     }
 }

@@ -37,7 +37,7 @@ pub struct Findings {
 
 /// What [`run`] is at.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Stage {
+pub enum FindingStage {
     /// A run of the scene has come to this simulated time, s: the scene's own, then one
     /// after another those that tell what its results are sensitive to.
     Run(f64),
@@ -53,18 +53,18 @@ pub enum Stage {
 pub fn run(
     preset: &Preset,
     asked: bool,
-    tell: &mut dyn FnMut(Stage),
+    tell: &mut dyn FnMut(FindingStage),
 ) -> Result<Findings, RunError> {
     let scene = &preset.scene;
     let mut watch = |time| {
-        tell(Stage::Run(time));
+        tell(FindingStage::Run(time));
         ControlFlow::Continue(())
     };
     let started = Instant::now();
     let results = measure(scene, &mut Drive::new(scene, &mut watch))?;
     let wall_time = started.elapsed().as_secs_f64().max(1e-9);
     let sensitivity = examine(scene, &results, asked, &mut watch)?;
-    tell(Stage::Verdict);
+    tell(FindingStage::Verdict);
     let verdict = verdict(scene, &mut |_| ControlFlow::Continue(()))?;
     let run = Run {
         scene,

@@ -7,11 +7,11 @@ mod axis;
 mod svg;
 mod terminal;
 
-pub use axis::{Axis, Scale};
+pub use axis::{Axis, AxisScale};
 
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Look {
+pub enum SeriesStyle {
     /// Markers joined by a thin line.
     Both,
     /// A line without markers, for many points.
@@ -28,7 +28,7 @@ pub struct Series {
     /// The points, in the order in which they are joined.
     pub points: Vec<(f64, f64)>,
     /// How they are drawn.
-    pub look: Look,
+    pub style: SeriesStyle,
 }
 
 impl Series {
@@ -37,14 +37,14 @@ impl Series {
         Self {
             name: name.into(),
             points,
-            look: Look::Both,
+            style: SeriesStyle::Both,
         }
     }
 
     /// The same, drawn in another way.
     #[must_use]
-    pub fn with(mut self, look: Look) -> Self {
-        self.look = look;
+    pub fn with(mut self, style: SeriesStyle) -> Self {
+        self.style = style;
         self
     }
 }

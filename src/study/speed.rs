@@ -25,7 +25,7 @@ const SLICE: u64 = 20_000;
 
 /// What a column does while it is timed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum State {
+enum Activity {
     /// It rests under gravity, all contacts closed.
     Contact,
     /// It flies under gravity, all contacts open.
@@ -38,9 +38,9 @@ enum State {
     Cascades,
 }
 
-struct Case {
+struct TimedColumn {
     method: MethodName,
-    state: State,
+    activity: Activity,
     scene: Scene,
     rates: Vec<f64>,
 }
@@ -69,29 +69,29 @@ pub fn speed(quick: bool, tell: &mut Tell) -> Report {
     }
 }
 
-fn cases() -> Vec<Case> {
+fn cases() -> Vec<TimedColumn> {
     let mut cases = Vec::new();
     for n in BEADS {
-        for state in [State::Contact, State::Flight] {
+        for activity in [Activity::Contact, Activity::Flight] {
             for method in [MethodName::Verlet, MethodName::Gear] {
-                cases.push(case(method, state, n));
+                cases.push(case(method, activity, n));
             }
         }
         for method in [MethodName::Ed, MethodName::Exact] {
-            cases.push(case(method, State::Pairs, n));
+            cases.push(case(method, Activity::Pairs, n));
         }
         if n <= LONGEST_CASCADE {
-            cases.push(case(MethodName::Ed, State::Cascades, n));
+            cases.push(case(MethodName::Ed, Activity::Cascades, n));
         }
     }
     cases
 }
 
-fn case(method: MethodName, state: State, n: usize) -> Case {
+fn case(method: MethodName, activity: Activity, n: usize) -> TimedColumn {
     let preset = Preset::load("fig1b").expect("an embedded preset");
     let n = Value::Whole(n as u64);
     let mut settings = vec![("n", n)];
-    if matches!(state, State::Pairs | State::Cascades) {
+    if matches!(activity, Activity::Pairs | Activity::Cascades) {
         // Without damping no column collapses or comes to rest.
         settings.push(("restitution", Value::Number(1.0)));
     }
@@ -99,19 +99,19 @@ fn case(method: MethodName, state: State, n: usize) -> Case {
         settings.push(("contact_time", Value::Number(SHORT)));
     }
     let scene = vary(&preset.scene, Some(method), &settings).expect("a scene of any length");
-    let start = match state {
-        State::Contact => Start::Resting,
-        State::Flight => Start::Launched(Launch {
+    let start = match activity {
+        Activity::Contact => Start::Resting,
+        Activity::Flight => Start::Launched(Launch {
             s0: 1e-3,
             jitter: false,
             v0: 10.0,
         }),
-        State::Pairs => Start::Launched(Launch {
+        Activity::Pairs => Start::Launched(Launch {
             s0: 1e-2,
             jitter: true,
             v0: -0.2,
         }),
-        State::Cascades => Start::Launched(Launch {
+        Activity::Cascades => Start::Launched(Launch {
             s0: 0.0,
             jitter: false,
             v0: -0.2,
@@ -123,9 +123,9 @@ fn case(method: MethodName, state: State, n: usize) -> Case {
         duration: Some(1.0),
         ..scene.facts().clone()
     };
-    Case {
+    TimedColumn {
         method,
-        state,
+        activity,
         scene: Scene::new(facts).expect("a scene of that start"),
         rates: Vec::new(),
     }
@@ -159,7 +159,7 @@ fn work(scene: &Scene, engine: &dyn Engine, seen: &mut Observation) -> u64 {
     }
 }
 
-fn table(cases: &[Case]) -> Table {
+fn table(cases: &[TimedColumn]) -> Table {
     let mut table = Table::new(
         "speed",
         "Speed of the engines on this machine, one core",
@@ -173,24 +173,24 @@ fn table(cases: &[Case]) -> Table {
             Column::new("ratio", "ratio", ""),
         ],
     );
-    let median = |case: &Case| case.rates[case.rates.len() / 2];
+    let median = |case: &TimedColumn| case.rates[case.rates.len() / 2];
     for case in cases {
-        let first = |other: &&Case| {
+        let first = |other: &&TimedColumn| {
             let ruler = [MethodName::Verlet, MethodName::Ed].contains(&other.method);
-            ruler && other.state == case.state && other.scene.n == case.scene.n
+            ruler && other.activity == case.activity && other.scene.n == case.scene.n
         };
         let ruler = cases.iter().find(first).map_or(1.0, median);
-        let state = match case.state {
-            State::Contact => "in contact",
-            State::Flight => "in flight",
-            State::Pairs => "two by two",
-            State::Cascades => "cascades",
+        let activity = match case.activity {
+            Activity::Contact => "in contact",
+            Activity::Flight => "in flight",
+            Activity::Pairs => "two by two",
+            Activity::Cascades => "cascades",
         };
         let rate = median(case);
         let (least, most) = (case.rates[0], case.rates[case.rates.len() - 1]);
         table.push([
             case.method.as_str().into(),
-            state.into(),
+            activity.into(),
             Cell::Count(case.scene.n as u64),
             rate.into(),
             (1e9 / rate).into(),

@@ -11,7 +11,7 @@ mod verdict;
 pub use cases::{Case, cases};
 pub use judge::judge;
 pub use steps::{Limit, limits};
-pub use verdict::{Judgement, Verdict};
+pub use verdict::{CaseVerdict, Judgement};
 
 use super::SLICE;
 use super::Tell;

@@ -7,7 +7,7 @@
 mod axis;
 mod parallel;
 
-pub use axis::{Axis, AxisError};
+pub use axis::{AxisError, SweepAxis};
 pub use parallel::run;
 
 use crate::scene::parameters::{Setting, Value};
@@ -53,7 +53,7 @@ pub struct Sweep {
     preset: Preset,
     method: Option<MethodName>,
     settings: Vec<Setting>,
-    axes: Vec<Axis>,
+    axes: Vec<SweepAxis>,
     rows: usize,
 }
 
@@ -66,7 +66,7 @@ impl Sweep {
         preset: Preset,
         method: Option<MethodName>,
         settings: Vec<Setting>,
-        axes: Vec<Axis>,
+        axes: Vec<SweepAxis>,
     ) -> Result<Self, SweepError> {
         let names = |k: usize| axes[..k].iter().map(|axis| axis.parameter.name);
         let set = |name: &str| settings.iter().any(|s| s.parameter.name == name);
@@ -107,7 +107,7 @@ impl Sweep {
     }
 
     /// The ranges, the slowest first.
-    pub fn axes(&self) -> &[Axis] {
+    pub fn axes(&self) -> &[SweepAxis] {
         &self.axes
     }
 
@@ -183,7 +183,7 @@ mod tests {
     fn sweep(over: &[&str]) -> Result<Sweep, SweepError> {
         let axes = over
             .iter()
-            .map(|text| Axis::parse(text).expect("a range"))
+            .map(|text| SweepAxis::parse(text).expect("a range"))
             .collect();
         let preset = Preset::load("fig1b").expect("an embedded preset");
         Sweep::new(preset, None, Vec::new(), axes)

@@ -31,7 +31,7 @@ pub struct Text {
 
 /// What stands on the screen at a time.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Turn {
+pub struct CaptionPart {
     /// The words at the beginning of the first line that tell what it is.
     pub label: String,
     /// Its lines, the label included.
@@ -40,12 +40,12 @@ pub struct Turn {
 
 /// For how long the texts have been there to be read.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Reading {
+pub struct ReadingTime {
     so_far: Duration,
     last: Option<Instant>,
 }
 
-impl Reading {
+impl ReadingTime {
     /// The time up to `now` was for reading.
     pub fn go_on(&mut self, now: Instant) {
         if let Some(last) = self.last {
@@ -60,8 +60,8 @@ impl Reading {
     }
 
     /// The turn that is due, over and over again.
-    pub fn due(self, turns: &[Turn]) -> Option<&Turn> {
-        let all: f64 = turns.iter().map(Turn::seconds).sum();
+    pub fn due(self, turns: &[CaptionPart]) -> Option<&CaptionPart> {
+        let all: f64 = turns.iter().map(CaptionPart::seconds).sum();
         let mut left = self.so_far.as_secs_f64() % all.max(1.0);
         let due = turns.iter().find(|turn| {
             left -= turn.seconds();
@@ -71,7 +71,7 @@ impl Reading {
     }
 }
 
-impl Turn {
+impl CaptionPart {
     /// How long it stays, s.
     fn seconds(&self) -> f64 {
         let characters: u16 = self.lines.iter().map(|line| columns(line)).sum();
@@ -99,7 +99,7 @@ pub fn text_width(area: Rect) -> u16 {
 
 /// The texts in turns of at most `rows` lines of `width` columns: as many sentences of a text
 /// as fit, and of one that does not fit itself as many words.
-pub fn turns(theme: Theme, texts: &[Text], width: u16, rows: u16) -> Vec<Turn> {
+pub fn turns(theme: Theme, texts: &[Text], width: u16, rows: u16) -> Vec<CaptionPart> {
     let mut turns = Vec::new();
     if width == 0 || rows == 0 {
         return turns;
@@ -120,10 +120,15 @@ pub fn turns(theme: Theme, texts: &[Text], width: u16, rows: u16) -> Vec<Turn> {
         }
         for part in parts {
             let divided = divided(theme, &part, width, usize::from(rows));
-            turns.extend(divided.into_iter().enumerate().map(|(k, lines)| Turn {
-                label: if k == 0 { label.clone() } else { String::new() },
-                lines,
-            }));
+            turns.extend(
+                divided
+                    .into_iter()
+                    .enumerate()
+                    .map(|(k, lines)| CaptionPart {
+                        label: if k == 0 { label.clone() } else { String::new() },
+                        lines,
+                    }),
+            );
         }
     }
     turns
@@ -281,9 +286,9 @@ mod tests {
     fn every_turn_stays_long_enough_to_be_read() {
         let preset = &presets()[0];
         let turns = turns(UNICODE, &texts(preset), 38, 1);
-        let all: f64 = turns.iter().map(Turn::seconds).sum();
+        let all: f64 = turns.iter().map(CaptionPart::seconds).sum();
         let start = Instant::now();
-        let mut reading = Reading::default();
+        let mut reading = ReadingTime::default();
         let mut seen = vec![0u32; turns.len()];
         let mut now = start;
         while (now - start).as_secs_f64() <= 2.0 * all {
@@ -307,7 +312,7 @@ mod tests {
     fn what_covers_the_texts_takes_no_reading_time() {
         let start = Instant::now();
         let after = |seconds| start + Duration::from_secs(seconds);
-        let mut reading = Reading::default();
+        let mut reading = ReadingTime::default();
         reading.go_on(start);
         reading.go_on(after(1));
         reading.rest();

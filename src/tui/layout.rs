@@ -73,12 +73,12 @@ pub struct Contents {
     /// Whether there are histories of their errors.
     pub errors: bool,
     /// The lattice on the left, where there is one.
-    pub lattice: Option<Lattice>,
+    pub lattice: Option<LatticeShape>,
 }
 
 /// How many discs there are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Lattice {
+pub struct LatticeShape {
     /// Above one another.
     pub rows: usize,
     /// Side by side.

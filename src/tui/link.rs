@@ -230,7 +230,7 @@ impl Link {
 
 #[cfg(test)]
 mod tests {
-    use super::super::outbox::Question;
+    use super::super::outbox::StatusRequest;
     use super::*;
     use std::io::Write;
 
@@ -242,7 +242,7 @@ mod tests {
     /// passage.
     fn load(rate: f64, way: u32, bytes: usize, answers: bool) -> (f64, f64) {
         let start = Instant::now();
-        let (outbox, sent) = Outbox::new(Question::Plain);
+        let (outbox, sent) = Outbox::new(StatusRequest::Plain);
         let mut screen = outbox.clone();
         let mut link = Link::new(outbox, start);
         let seconds = |time: Instant| time.duration_since(start).as_secs_f64();
@@ -313,7 +313,7 @@ mod tests {
     #[test]
     fn what_small_frames_have_proved_does_not_count_for_large_ones() {
         let now = Instant::now();
-        let (outbox, _sent) = Outbox::new(Question::Plain);
+        let (outbox, _sent) = Outbox::new(StatusRequest::Plain);
         let mut screen = outbox.clone();
         let mut link = Link::new(outbox, now);
         let mut time = now;
@@ -339,7 +339,7 @@ mod tests {
     #[test]
     fn a_key_may_overtake_one_frame_and_no_more() {
         let now = Instant::now();
-        let (outbox, _sent) = Outbox::new(Question::Plain);
+        let (outbox, _sent) = Outbox::new(StatusRequest::Plain);
         let mut screen = outbox.clone();
         let mut link = Link::new(outbox, now);
         let mut draw = |link: &mut Link, when| {

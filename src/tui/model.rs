@@ -21,10 +21,10 @@ pub use scale::Scale;
 
 use std::time::{Duration, Instant};
 
-use super::caption::Reading;
+use super::caption::ReadingTime;
 use super::layout;
 use super::theme::Theme;
-use crate::live::{Accuracy, Frame, History, Order, Side, Status, Sweep};
+use crate::live::{Accuracy, Frame, History, Order, Sampling, Side, Status};
 use crate::scene::{Preset, Scene};
 use crate::study::verdict::Verdict;
 
@@ -91,7 +91,7 @@ pub struct Model {
     /// The line of the moment.
     pub message: Option<Message>,
     /// For how long the preset's texts have been read.
-    pub(super) reading: Reading,
+    pub(super) reading: ReadingTime,
     /// Characters and colours.
     pub theme: Theme,
     /// Width and height of the screen, cells.
@@ -133,7 +133,7 @@ impl Model {
             overlay: Overlay::None,
             entered: Vec::new(),
             message: None,
-            reading: Reading::default(),
+            reading: ReadingTime::default(),
             theme,
             size,
             generation: 0,
@@ -175,7 +175,7 @@ impl Model {
         self.bench = Bench::new(&preset)?;
         self.preset = preset;
         self.selected = first_row(&self.bench);
-        self.reading = Reading::default();
+        self.reading = ReadingTime::default();
         self.speed = self.fitting;
         Ok(self.start(true))
     }
@@ -239,7 +239,7 @@ impl Model {
             return None;
         }
         self.page.set_sweep(wanted);
-        Some(Order::Sweep(wanted))
+        Some(Order::Sampling(wanted))
     }
 
     /// How often the beads now are drawn: many large discs less often than small ones, for
@@ -353,9 +353,9 @@ impl Glimpse {
 }
 
 /// The page of these scenes on a screen of that size.
-fn sweep(scenes: &[Scene], size: (u16, u16), origin: f64) -> Sweep {
+fn sweep(scenes: &[Scene], size: (u16, u16), origin: f64) -> Sampling {
     let cells = layout::trace_width(size, room::contents(scenes));
-    Sweep {
+    Sampling {
         origin,
         span: pace::span(scenes, cells),
         columns: usize::from(cells.max(1)) * 2,

@@ -15,7 +15,7 @@ use crossbeam_channel::{Receiver, Sender, unbounded};
 /// `CSI 0 n`): tmux and screen answer themselves, long before the terminal that shows them
 /// has read anything, unless the question is wrapped to be passed on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Question {
+pub enum StatusRequest {
     /// To the terminal itself.
     Plain,
     /// Through tmux, whose pane must allow it.
@@ -24,25 +24,25 @@ pub enum Question {
     Screen,
 }
 
-impl Question {
+impl StatusRequest {
     /// The one that suits the variables of the environment.
-    pub fn detect(variable: impl Fn(&str) -> Option<String>) -> Question {
+    pub fn detect(variable: impl Fn(&str) -> Option<String>) -> StatusRequest {
         let is_set = |name| variable(name).is_some_and(|value| !value.is_empty());
         if is_set("TMUX") {
-            Question::Tmux
+            StatusRequest::Tmux
         } else if is_set("STY") {
-            Question::Screen
+            StatusRequest::Screen
         } else {
-            Question::Plain
+            StatusRequest::Plain
         }
     }
 
     /// As it is written.
     pub fn bytes(self) -> &'static [u8] {
         match self {
-            Question::Plain => b"\x1b[5n",
-            Question::Tmux => b"\x1bPtmux;\x1b\x1b[5n\x1b\\",
-            Question::Screen => b"\x1bP\x1b[5n\x1b\\",
+            StatusRequest::Plain => b"\x1b[5n",
+            StatusRequest::Tmux => b"\x1bPtmux;\x1b\x1b[5n\x1b\\",
+            StatusRequest::Screen => b"\x1bP\x1b[5n\x1b\\",
         }
     }
 }
@@ -52,14 +52,14 @@ impl Question {
 pub struct Outbox {
     frames: Sender<Vec<u8>>,
     frame: Vec<u8>,
-    question: Question,
+    question: StatusRequest,
     sent: Arc<AtomicU64>,
     written: Arc<AtomicU64>,
 }
 
 impl Outbox {
     /// An outbox, and the frames that are put into it.
-    pub fn new(question: Question) -> (Outbox, Receiver<Vec<u8>>) {
+    pub fn new(question: StatusRequest) -> (Outbox, Receiver<Vec<u8>>) {
         let (frames, receiver) = unbounded();
         let outbox = Outbox {
             frames,
@@ -77,7 +77,7 @@ impl Outbox {
     /// # Errors
     /// When the system refuses a thread.
     pub fn spawn(
-        question: Question,
+        question: StatusRequest,
         mut write: impl FnMut(&[u8]) -> io::Result<()> + Send + 'static,
     ) -> io::Result<Outbox> {
         let (outbox, frames) = Outbox::new(question);

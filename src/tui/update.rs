@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::caption::Reading;
+use super::caption::ReadingTime;
 use super::keys::{self, Action};
 use super::model::{Bench, Menu, Model, Overlay, Prompt};
 use crate::live::{Frame, Leap, Order, Way};
@@ -69,7 +69,7 @@ pub fn update(model: &mut Model, msg: Msg, now: Instant) -> Option<Command> {
         Msg::Resize(width, height) => {
             model.size = (width, height);
             // The texts are divided otherwise, and begin again.
-            model.reading = Reading::default();
+            model.reading = ReadingTime::default();
             model.fit_page(false, true).map(Command::Order)
         }
         Msg::SimulationEnded => {

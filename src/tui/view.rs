@@ -8,7 +8,7 @@ use super::layout::{Layout, layout};
 use super::model::{Model, Overlay};
 use super::text::fitted;
 use super::widgets::beads::Beads;
-use super::widgets::discs::Plane;
+use super::widgets::discs::LatticePicture;
 use super::widgets::strip::Graphed;
 use super::widgets::trace::Trace;
 use super::widgets::{
@@ -96,7 +96,7 @@ fn draw_discs(model: &Model, layout: &Layout, buffer: &mut Buffer) {
     };
     let title = format!("{} discs", sites.count());
     rules::title(model.theme, &title, above, buffer);
-    Plane {
+    LatticePicture {
         side,
         sites,
         scale: &model.page.scale,

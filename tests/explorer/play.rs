@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use beadlab::live::{self, Build, Frame, Live, Order, Sweep};
+use beadlab::live::{self, Build, Frame, Live, Order, Sampling};
 use beadlab::physics::{self, Engine, EngineError, Handover, Observation, Outcome, State};
 use beadlab::scene::{Preset, Scene};
 use beadlab::study::verdict::verdict;
@@ -15,7 +15,7 @@ use beadlab::tui::input::Heard;
 use beadlab::tui::judge::Judge;
 use beadlab::tui::link::Link;
 use beadlab::tui::model::Model;
-use beadlab::tui::outbox::{Outbox, Question};
+use beadlab::tui::outbox::{Outbox, StatusRequest};
 use beadlab::tui::theme::Theme;
 use crossbeam_channel::{Sender, bounded, never, unbounded};
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
@@ -111,7 +111,7 @@ pub fn play_preset(
     let (_keep, signals) = bounded(1);
     let (screen, shown) = Screen::new(TestBackend::new(size.0, size.1));
     let mut terminal = Terminal::new(screen).expect("memory is to be had");
-    let (outbox, _) = Outbox::new(Question::Plain);
+    let (outbox, _) = Outbox::new(StatusRequest::Plain);
     let mut link = Link::new(outbox, Instant::now());
     let wires = Wires {
         heard: Heard {
@@ -260,8 +260,8 @@ pub fn twins(name: &str) -> Vec<Scene> {
     vec![soft, hard]
 }
 
-pub fn sweep(span: f64, hold: bool) -> Sweep {
-    Sweep {
+pub fn sweep(span: f64, hold: bool) -> Sampling {
+    Sampling {
         origin: 0.0,
         span,
         columns: 60,
@@ -269,7 +269,7 @@ pub fn sweep(span: f64, hold: bool) -> Sweep {
     }
 }
 
-pub fn load(live: &Live, scenes: Vec<Scene>, sweep: Sweep, speed: f64, running: bool) {
+pub fn load(live: &Live, scenes: Vec<Scene>, sweep: Sampling, speed: f64, running: bool) {
     let order = Order::Load {
         generation: 1,
         scenes,

@@ -6,6 +6,7 @@ mod program;
 mod source;
 
 mod circles;
+mod names;
 mod preset_files;
 mod presets;
 mod rooms;

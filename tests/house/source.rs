@@ -31,6 +31,8 @@ struct Module {
     paths: BTreeSet<Names>,
     /// Its modules that are built for tests alone.
     tests: Vec<String>,
+    /// Types that it declares outside functions and blocks of functions.
+    types: BTreeSet<String>,
 }
 
 impl Source {
@@ -57,6 +59,11 @@ impl Source {
     /// The paths that a module names, each as it stands there.
     pub fn paths(&self, module: &[String]) -> &BTreeSet<Names> {
         &self.modules[module].paths
+    }
+
+    /// The types that a module declares; one that it declares for each system counts once.
+    pub fn types(&self, module: &[String]) -> &BTreeSet<String> {
+        &self.modules[module].types
     }
 
     /// The module in which that stands which `module` calls by `path`; none of other crates'.
@@ -153,6 +160,7 @@ impl Module {
         if !with_tests {
             tokens = module.without_tests(&tokens);
         }
+        module.types = types(&tokens);
         let mut k = 0;
         while k < tokens.len() {
             match &tokens[k] {
@@ -244,6 +252,30 @@ impl Module {
         }
         left
     }
+}
+
+/// The structs, enums, traits and aliases that stand in modules; what stands in a trait, in an
+/// `impl` or in a function is no name of the program's own.
+fn types(tokens: &[Token]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    // Whether the module ends with each brace that is open.
+    let mut open = Vec::new();
+    for (k, token) in tokens.iter().enumerate() {
+        match token {
+            Token::Sign('{') => open.push(k > 1 && tokens[k - 2] == Token::Word("mod".to_owned())),
+            Token::Sign('}') => {
+                open.pop();
+            }
+            Token::Word(word) if open.iter().all(|is_module| *is_module) => {
+                let declares = ["struct", "enum", "trait", "type"].contains(&word.as_str());
+                if let (true, Some(Token::Word(name))) = (declares, tokens.get(k + 1)) {
+                    found.insert(name.clone());
+                }
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// Whether `#[cfg(test)]`, or all of that and something, begins here.
@@ -348,4 +380,23 @@ fn all_ways_to_name_a_module_are_read() {
     assert_eq!(module.tests, ["far"]);
     assert_eq!(module.used["Rule"].join("::"), "crate::scene::law::Law");
     assert!(read(true).0.contains(&"crate::study".to_owned()));
+}
+
+#[test]
+fn all_declarations_of_types_are_read() {
+    let text = r#"
+        /// struct Comment;
+        pub(super) struct Held<'a> { text: &'a str }
+        trait Mover: Send { type Place; fn go(&self) { enum Local { A } } }
+        impl Mover for Held<'_> { type Place = f64; }
+        type Pair = (f64, f64);
+        pub type Make = fn() -> Pair;
+        mod inner { pub enum Within { Struct { x: f64 } } }
+        const TEXT: &str = "struct Written;";
+        #[cfg(unix)] struct Tty; #[cfg(not(unix))] struct Tty;
+        #[cfg(test)] mod tests { struct Tested; }
+    "#;
+    let expected = ["Held", "Make", "Mover", "Pair", "Tty", "Within"].map(str::to_owned);
+    assert_eq!(Module::of(text, false).types, BTreeSet::from(expected));
+    assert!(Module::of(text, true).types.contains("Tested"));
 }

@@ -133,13 +133,10 @@ fn an_edit_of_the_law_stores_up_no_energy() {
             ..HERTZ
         }),
     ];
-    let method = |law| {
+    let method = |law: Law| {
         Method::Soft(Soft {
             law,
-            solver: match law {
-                Law::Hooke { .. } => Solver::Exact,
-                Law::Power(_) => Solver::Adaptive { tolerance: 1e-10 },
-            },
+            solver: law.locating(),
             attraction: true,
         })
     };

@@ -3,7 +3,7 @@
 use crate::program::{beadlab, file, printed, refused};
 use beadlab::scene::{MethodName, Preset, Scene};
 use beadlab::study::accuracy::{Effort, Report, accuracy};
-use beadlab::study::stability::{Verdict, cases, judge};
+use beadlab::study::stability::{CaseVerdict, cases, judge};
 use beadlab::study::table::{Cell, Table};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -101,10 +101,13 @@ fn judged(quick: bool, slices: u64) -> usize {
             // The exact method is right wherever anything can tell: to what the last bit
             // changes, or to what the adaptive method's own tolerance leaves of it.
             if judgement.method == MethodName::Exact {
-                let is_off = matches!(judgement.verdict, Verdict::Off(_) | Verdict::Breaks(..));
+                let is_off = matches!(
+                    judgement.verdict,
+                    CaseVerdict::Off(_) | CaseVerdict::Breaks(..)
+                );
                 assert!(!is_off, "{of}: {text}");
                 // Two methods that share nothing: their tolerances and what is amplified.
-                if let Verdict::Confirmed { error, bits } = judgement.verdict {
+                if let CaseVerdict::Confirmed { error, bits } = judgement.verdict {
                     let last_bits = 10.0 * bits.unwrap_or(0.0);
                     assert!(error < last_bits.max(1e-8), "{of}: {text}");
                     confirmed += 1;

@@ -1,7 +1,7 @@
 //! Tables and plots of studies.
 
 use beadlab::numerals::significant;
-use beadlab::study::plot::{Axis, Look, Plot, Series};
+use beadlab::study::plot::{Axis, Plot, Series, SeriesStyle};
 use beadlab::study::table::{Cell, Column, Digits, Table};
 
 fn table() -> Table {
@@ -98,7 +98,7 @@ fn plot(points: &[(f64, f64)], log: bool) -> Plot {
         y: axis("error"),
         series: vec![
             Series::new("gear", points.to_vec()),
-            Series::new("line", points.to_vec()).with(Look::Line),
+            Series::new("line", points.to_vec()).with(SeriesStyle::Line),
         ],
     }
 }

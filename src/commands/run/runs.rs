@@ -3,7 +3,7 @@
 
 use crate::commands::progress::Waiting;
 use crate::scene::Scene;
-use crate::study::{PATTERNS, Stage, work_of_sensitivity};
+use crate::study::{FindingStage, PATTERNS, work_of_sensitivity};
 use std::time::{Duration, Instant};
 
 /// Time between two words about it.
@@ -40,11 +40,11 @@ impl Runs {
     }
 
     /// What the command is at.
-    pub fn show(&mut self, stage: Stage) {
+    pub fn show(&mut self, stage: FindingStage) {
         match stage {
-            Stage::Run(time) => self.show_run(time),
+            FindingStage::Run(time) => self.show_run(time),
             // All of them are done, and this takes as long as it takes.
-            Stage::Verdict => self
+            FindingStage::Verdict => self
                 .waiting
                 .show("verdict: the same column of hard spheres", None),
         }

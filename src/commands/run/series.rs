@@ -5,7 +5,7 @@ use crate::commands::output::Output;
 use crate::physics::Observation;
 use crate::scene::Scene;
 use crate::scene::parameters::Value;
-use crate::study::export::{Begin, Motion, is_finite};
+use crate::study::export::{Begin, MotionWriter, is_finite};
 use crate::study::{Drive, RunError, natural_time};
 use std::io;
 use std::time::{Duration, Instant};
@@ -71,7 +71,7 @@ fn moments(
     scene: &Scene,
     mut drive: Drive,
     every: f64,
-    mut motion: Box<dyn Motion + '_>,
+    mut motion: Box<dyn MotionWriter + '_>,
 ) -> Result<(), Stop> {
     let end = scene.duration.unwrap_or(f64::INFINITY);
     // A last row that rounding would lose is wanted.

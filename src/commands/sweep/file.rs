@@ -1,7 +1,7 @@
 //! A file that grows by whole rows, and can be gone on with after any end.
 
 use super::resume::{self, Before};
-use super::rows::Format;
+use super::rows::RowFormat;
 use crate::commands::Failure;
 use crate::commands::output::unwritable;
 use crate::scene::words::one_line;
@@ -16,7 +16,7 @@ const SYNC: Duration = Duration::from_secs(1);
 
 /// What may be done with a file that is there already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Mode {
+pub(super) enum FileMode {
     /// Nothing.
     New,
     /// Go on with it.
@@ -38,30 +38,32 @@ impl RowsFile {
     /// Opens the file and writes the header, or reads the rows that are there.
     pub fn open(
         path: &Path,
-        mode: Mode,
-        format: &Format,
+        mode: FileMode,
+        format: &RowFormat,
         sweep: &Sweep,
     ) -> Result<(Self, Before), Failure> {
         let name = one_line(&path.to_string_lossy());
         let refuse = |what: &str| Err(Failure::BadInput(format!("--out {name}: {what}")));
         let found = path.metadata().ok();
         let regular = found.as_ref().is_none_or(std::fs::Metadata::is_file);
-        if mode == Mode::New && found.is_some_and(|found| found.is_file()) {
+        if mode == FileMode::New && found.is_some_and(|found| found.is_file()) {
             return refuse("is there already; --resume goes on with it, --overwrite begins again");
         }
         let mut options = File::options();
         options.write(true).read(regular);
         let opened = match mode {
             _ if !regular => options.open(path),
-            Mode::New => options.create_new(true).open(path),
-            Mode::Resume | Mode::Overwrite => options.create(true).truncate(false).open(path),
+            FileMode::New => options.create_new(true).open(path),
+            FileMode::Resume | FileMode::Overwrite => {
+                options.create(true).truncate(false).open(path)
+            }
         };
         let file = opened.map_err(|error| Failure::BadInput(unwritable(path, &error)))?;
         if regular && matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
             return refuse("another sweep is writing it");
         }
         let mut before = Before::default();
-        if regular && mode == Mode::Resume {
+        if regular && mode == FileMode::Resume {
             match resume::read(BufReader::new(&file), format, sweep) {
                 Ok(found) => before = found,
                 Err(what) => return refuse(&what),

@@ -1,6 +1,6 @@
 //! What is read of a file that a sweep is to go on with.
 
-use super::rows::Format;
+use super::rows::RowFormat;
 use crate::scene::words::{one_line, quote};
 use crate::study::sweep::Sweep;
 use std::io::{self, BufRead, Read};
@@ -22,7 +22,7 @@ pub(super) struct Before {
 /// What is wrong with the file: the first line that is not this sweep's.
 pub(super) fn read(
     mut file: impl BufRead,
-    format: &Format,
+    format: &RowFormat,
     sweep: &Sweep,
 ) -> Result<Before, String> {
     let unreadable = |error: io::Error| format!("cannot be read: {error}");
@@ -61,7 +61,7 @@ pub(super) fn read(
         let values = sweep.values(before.rows);
         let Some(whole) = line.strip_suffix(b"\n") else {
             // Half a row, the last one.
-            return if Format::is_begun(&line, &values) {
+            return if RowFormat::is_begun(&line, &values) {
                 Ok(before)
             } else {
                 let text = String::from_utf8_lossy(&line);

@@ -11,13 +11,13 @@ use crate::study::{Findings, RunError};
 use std::fmt::Write;
 
 /// What became of one point.
-pub(super) struct Row {
+pub(super) struct PointRow {
     /// A cell for each quantity.
     results: Option<Vec<Cell>>,
     note: String,
 }
 
-impl Row {
+impl PointRow {
     /// Of a run. Results that are no numbers are as good as none.
     pub fn of(outcome: Result<Findings, RunError>) -> Self {
         let failed = |note: String| Self {
@@ -54,12 +54,12 @@ fn written(cell: &Cell) -> String {
 }
 
 /// How the lines of one sweep look.
-pub(super) struct Format {
+pub(super) struct RowFormat {
     header: String,
     columns: Vec<&'static str>,
 }
 
-impl Format {
+impl RowFormat {
     /// Of a sweep of those arguments. The header is the same exactly when the rows are.
     pub fn of(sweep: &Sweep, args: &SweepArgs) -> Self {
         let names: Vec<&'static str> = sweep
@@ -126,7 +126,7 @@ impl Format {
     }
 
     /// The line of a row, its end included.
-    pub fn line(values: &[Value], row: &Row) -> String {
+    pub fn line(values: &[Value], row: &PointRow) -> String {
         let mut line = start(values);
         match &row.results {
             Some(cells) => cells.iter().for_each(|cell| {

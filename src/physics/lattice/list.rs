@@ -97,6 +97,13 @@ impl List {
         most
     }
 
+    /// Its beads that may touch the floor, each as a pair with itself, and its pairs, in order.
+    pub fn contacts(&self) -> [Vec<[u32; 2]>; 2] {
+        let feet = self.feet.iter().map(|foot| [foot.i, foot.i]);
+        let bonds = self.bonds.iter().map(|bond| [bond.i, bond.j]);
+        [feet.collect(), bonds.collect()]
+    }
+
     /// Makes the list anew.
     pub fn make(&mut self, sites: &Sites, places: &[f64]) {
         places.clone_into(&mut self.made_at);

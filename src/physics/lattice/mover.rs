@@ -31,7 +31,7 @@ dyn_clone::clone_trait_object!(PlaneMover);
 
 /// A lattice that an integrator moves.
 #[derive(Clone)]
-pub(super) struct PlaneMoved<M, L, S> {
+pub(super) struct PlaneMoved<M, L: ContactLaw, S> {
     stepper: M,
     forces: LatticeForces<L, S>,
 }
@@ -80,7 +80,6 @@ impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneMover for PlaneMoved<M, L,
     }
 
     fn list_anew(&mut self) {
-        let Web { sites, list, .. } = &mut self.forces.web;
-        list.make(sites, self.stepper.places());
+        self.forces.list_anew(self.stepper.places());
     }
 }

@@ -38,7 +38,7 @@ impl Md {
         settings: Settings,
         state: State,
         column: SoftColumn<G>,
-        chain: C,
+        mut chain: C,
     ) -> Box<dyn Engine> {
         let SoftColumn {
             mut ground,
@@ -47,7 +47,7 @@ impl Md {
         } = column;
         let h = settings.step();
         ground.set_step(h);
-        let stepper = S::start(&state.gaps, &state.rates, h, &chain, &ground);
+        let stepper = S::start(&state.gaps, &state.rates, h, &mut chain, &ground);
         let mut md = Self {
             mover: Box::new(Moved::new(stepper, ground, chain)),
             gravity: weight(scene),

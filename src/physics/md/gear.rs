@@ -69,7 +69,7 @@ impl Stepper for Gear {
         gaps: &[f64],
         rates: &[f64],
         h: f64,
-        chain: &C,
+        chain: &mut C,
         ground: &G,
     ) -> Self {
         let grouped_gaps = grouped(gaps, BEYOND);
@@ -90,7 +90,12 @@ impl Stepper for Gear {
     }
 
     #[inline]
-    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G, power: &mut Power) -> bool {
+    fn step<C: Chain, G: Ground>(
+        &mut self,
+        chain: &mut C,
+        ground: &mut G,
+        power: &mut Power,
+    ) -> bool {
         ground.step();
         let r = predicted(self.floor);
         let (force, lost) = chain.floor(r[0], r[1] / self.h);
@@ -143,7 +148,7 @@ impl Gear {
 
     /// Predicts all gaps but the floor's, and the forces in them; which lanes changed.
     #[inline]
-    fn predict<C: Chain>(&mut self, chain: &C, lost: &mut Lane) -> Lane {
+    fn predict<C: Chain>(&mut self, chain: &mut C, lost: &mut Lane) -> Lane {
         let (mut sum, mut any) = (*lost, Lane::ZERO);
         let per_step = 1.0 / self.h;
         let gaps = self.rest.iter_mut().zip(&mut self.forces.rest);

@@ -12,12 +12,17 @@ pub(super) trait Stepper: Clone + Send {
         gaps: &[f64],
         rates: &[f64],
         h: f64,
-        chain: &C,
+        chain: &mut C,
         ground: &G,
     ) -> Self;
     /// One step, the floor's included; whether any gap may have changed between
     /// contact and flight.
-    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G, power: &mut Power) -> bool;
+    fn step<C: Chain, G: Ground>(
+        &mut self,
+        chain: &mut C,
+        ground: &mut G,
+        power: &mut Power,
+    ) -> bool;
     /// Flies on for `steps` steps at constant rates.
     fn coast(&mut self, steps: u64);
     /// The gaps, m.

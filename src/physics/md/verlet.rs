@@ -38,7 +38,7 @@ impl Stepper for Verlet {
         gaps: &[f64],
         rates: &[f64],
         h: f64,
-        chain: &C,
+        chain: &mut C,
         ground: &G,
     ) -> Self {
         let grouped_gaps = grouped(gaps, BEYOND);
@@ -61,7 +61,12 @@ impl Stepper for Verlet {
     }
 
     #[inline]
-    fn step<C: Chain, G: Ground>(&mut self, chain: &C, ground: &mut G, power: &mut Power) -> bool {
+    fn step<C: Chain, G: Ground>(
+        &mut self,
+        chain: &mut C,
+        ground: &mut G,
+        power: &mut Power,
+    ) -> bool {
         let (was, before) = self.floor;
         let acceleration = chain.first(self.forces.floor, self.forces.second()) + ground.pull();
         let (g, half, w) = drift(was, before, acceleration, self.h);
@@ -115,7 +120,7 @@ impl Stepper for Verlet {
 impl Verlet {
     /// A step of all gaps but the floor's; the forces go to `next`.
     #[inline]
-    fn pairs<C: Chain>(&mut self, chain: &C, lost: &mut Lane) -> bool {
+    fn pairs<C: Chain>(&mut self, chain: &mut C, lost: &mut Lane) -> bool {
         let (mut sum, mut any) = (*lost, Lane::ZERO);
         let (mut under, h) = (self.forces.floor, self.h);
         let forces = self.forces.rest.iter().zip(&self.forces.rest[1..]);

@@ -1,6 +1,6 @@
 //! What a key press does to a value.
 
-use super::{Kind, Parameter, Scale, Value};
+use super::{Kind, NudgeScale, Parameter, Value};
 use crate::math;
 use crate::numerals::rounded;
 
@@ -37,9 +37,9 @@ pub fn nudge(parameter: &Parameter, value: Value, steps: i32, coarse: bool) -> V
     }
 }
 
-fn move_number(scale: Scale, x: f64, steps: i32, coarse: bool) -> f64 {
+fn move_number(scale: NudgeScale, x: f64, steps: i32, coarse: bool) -> f64 {
     match scale {
-        Scale::Linear {
+        NudgeScale::Linear {
             fine,
             coarse: large,
         } => {
@@ -52,9 +52,9 @@ fn move_number(scale: Scale, x: f64, steps: i32, coarse: bool) -> f64 {
                 rounded(moved, 12)
             }
         }
-        Scale::Log { smallest, .. } if x < smallest && steps <= 0 => x.min(0.0),
-        Scale::Log { smallest, .. } if x < smallest => smallest,
-        Scale::Log {
+        NudgeScale::Log { smallest, .. } if x < smallest && steps <= 0 => x.min(0.0),
+        NudgeScale::Log { smallest, .. } if x < smallest => smallest,
+        NudgeScale::Log {
             fine,
             coarse: large,
             smallest,

@@ -6,7 +6,7 @@ mod lattice;
 use super::access::{
     choice, columns, flag, launch, number, set_alpha, set_rule, set_tolerance, shake, whole,
 };
-use super::{Kind, Parameter, Scale, Value};
+use super::{Kind, NudgeScale, Parameter, Value};
 use crate::scene::{CollisionRule, Method};
 
 /// The largest seed that a JSON number holds exactly.
@@ -20,22 +20,22 @@ const HARD: &str = "scenes with hard spheres (method ed)";
 const HEAVY: &str = "scenes with gravity";
 const VIBRATING: &str = "scenes with a vibrating floor";
 
-const DECADES: Scale = Scale::Log {
+const DECADES: NudgeScale = NudgeScale::Log {
     fine: 1.1,
     coarse: 2.0,
     smallest: 1e-12,
 };
-const SEPARATIONS: Scale = Scale::Log {
+const SEPARATIONS: NudgeScale = NudgeScale::Log {
     fine: 1.1,
     coarse: 2.0,
     smallest: 1e-9,
 };
-const WIDTHS: Scale = Scale::Log {
+const WIDTHS: NudgeScale = NudgeScale::Log {
     fine: 1.1,
     coarse: 2.0,
     smallest: 1e-6,
 };
-const AMPLITUDES: Scale = Scale::Log {
+const AMPLITUDES: NudgeScale = NudgeScale::Log {
     fine: 1.02,
     coarse: 1.25,
     smallest: 1e-6,
@@ -113,7 +113,7 @@ pub(super) static ROWS: &[Parameter] = &[
         kind: Kind::Number {
             min: 0.0,
             max: 1e6,
-            scale: Scale::Linear {
+            scale: NudgeScale::Linear {
                 fine: 0.1,
                 coarse: 1.0,
             },
@@ -133,7 +133,7 @@ pub(super) static ROWS: &[Parameter] = &[
         kind: Kind::Number {
             min: 1e-3,
             max: 1e6,
-            scale: Scale::Linear {
+            scale: NudgeScale::Linear {
                 fine: 0.5,
                 coarse: 5.0,
             },
@@ -153,7 +153,7 @@ pub(super) static ROWS: &[Parameter] = &[
         kind: Kind::Number {
             min: 1e-6,
             max: 1e6,
-            scale: Scale::Linear {
+            scale: NudgeScale::Linear {
                 fine: 0.1,
                 coarse: 1.0,
             },
@@ -192,7 +192,7 @@ pub(super) static ROWS: &[Parameter] = &[
         kind: Kind::Number {
             min: -1e6,
             max: 1e6,
-            scale: Scale::Linear {
+            scale: NudgeScale::Linear {
                 fine: 0.01,
                 coarse: 0.1,
             },
@@ -284,7 +284,7 @@ pub(super) static ROWS: &[Parameter] = &[
         kind: Kind::Number {
             min: 2.0,
             max: 1e6,
-            scale: Scale::Log {
+            scale: NudgeScale::Log {
                 fine: 1.1,
                 coarse: 2.0,
                 smallest: 2.0,
@@ -313,7 +313,7 @@ pub(super) static ROWS: &[Parameter] = &[
         kind: Kind::Number {
             min: 1e-14,
             max: 1e-3,
-            scale: Scale::Log {
+            scale: NudgeScale::Log {
                 fine: 2.0,
                 coarse: 10.0,
                 smallest: 1e-14,

@@ -2,7 +2,7 @@
 
 mod tables;
 
-use super::compared::{Run, errors, run};
+use super::compared::{CollisionTrace, errors, run};
 use super::phases::{Spread, over_phases};
 use super::{AccuracyError, Candidate, Effort, Report, candidates};
 use crate::scene::Scene;
@@ -25,9 +25,9 @@ const PHASES_PART: f64 = 0.6;
 const ROUNDING: f64 = f64::EPSILON;
 
 /// One row of the report.
-struct Row {
+struct CandidateRow {
     candidate: Candidate,
-    outcome: Result<(Run, Spread), RunError>,
+    outcome: Result<(CollisionTrace, Spread), RunError>,
     times: Vec<f64>,
 }
 
@@ -73,7 +73,7 @@ pub(super) fn report(
     let sensitivity = errors(&near, &truth, scale);
     let all = candidates(scene, effort.quick);
     let count = all.len() as f64;
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<CandidateRow> = Vec::new();
     let mut costs: Vec<f64> = Vec::new();
     for candidate in all {
         let label = format!("{} {}", candidate.method.as_str(), candidate.setting());
@@ -90,7 +90,7 @@ pub(super) fn report(
             (run, Spread::of_one(errors))
         });
         costs.push(begun.elapsed().as_secs_f64());
-        rows.push(Row {
+        rows.push(CandidateRow {
             candidate,
             outcome,
             times: Vec::new(),
@@ -104,7 +104,7 @@ pub(super) fn report(
         let done = costs[..k].iter().sum::<f64>() / all_costs;
         tell("other phases of the grids", FIRST_PART + PHASES_PART * done);
         let mut watch = in_time(Instant::now() + share);
-        let Row {
+        let CandidateRow {
             candidate, outcome, ..
         } = &mut rows[k];
         let Ok((_, spread)) = outcome else { continue };
@@ -131,7 +131,7 @@ fn unit_of_length(scene: &Scene) -> f64 {
 
 /// Whole contact times, which all grids of the ladder share, until some time after the
 /// floor is left: later the error only grows with the distance flown.
-fn sample_times(scene: &Scene, run: &Run) -> Vec<f64> {
+fn sample_times(scene: &Scene, run: &CollisionTrace) -> Vec<f64> {
     let contact_time = scene.contact_time().unwrap_or(run.end);
     let end = run.left.map_or(run.end, |left| run.end.min(2.0 * left));
     let stride = (end / (SAMPLES * contact_time)).ceil().max(1.0);
@@ -147,7 +147,7 @@ fn sample_times(scene: &Scene, run: &Run) -> Vec<f64> {
 /// Runs all candidates in turn, again and again, so that what else the machine does
 /// falls on all of them alike.
 fn measure_times(
-    rows: &mut [Row],
+    rows: &mut [CandidateRow],
     started: Instant,
     most: Duration,
     tell: &mut dyn FnMut(&str, f64),

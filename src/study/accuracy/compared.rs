@@ -6,7 +6,7 @@ use crate::scene::Scene;
 use crate::study::{Drive, RunError};
 
 /// A collision, and where the beads were at the sample times.
-pub(super) struct Run {
+pub(super) struct CollisionTrace {
     pub eps_eff: f64,
     pub er_over_ef: Option<f64>,
     pub path: Vec<f64>,
@@ -54,7 +54,7 @@ pub(super) fn run(
     scene: &Scene,
     times: &[f64],
     early: f64,
-) -> Result<Run, RunError> {
+) -> Result<CollisionTrace, RunError> {
     let mut seen = Observation::default();
     drive.observe(&mut seen);
     let before = seen.energy.kinetic;
@@ -70,7 +70,7 @@ pub(super) fn run(
     drive.collide(scene)?;
     drive.observe(&mut seen);
     let after = seen.energy.kinetic;
-    Ok(Run {
+    Ok(CollisionTrace {
         eps_eff: (after / before).sqrt(),
         er_over_ef: (after > 0.0).then(|| seen.energy.relative / after),
         path,
@@ -82,7 +82,7 @@ pub(super) fn run(
 }
 
 /// How far a run is from the reference; lengths over the unit, m.
-pub(super) fn errors(run: &Run, truth: &Run, unit_of_length: f64) -> Errors {
+pub(super) fn errors(run: &CollisionTrace, truth: &CollisionTrace, unit_of_length: f64) -> Errors {
     let relative = |x: f64, y: f64| if x == y { 0.0 } else { (x / y - 1.0).abs() };
     let apart = run.path.iter().zip(&truth.path).map(|(a, b)| (a - b).abs());
     Errors {

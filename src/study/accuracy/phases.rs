@@ -2,7 +2,7 @@
 //! chance, and a single run has one chance of many.
 
 use super::Candidate;
-use super::compared::{Errors, Run};
+use super::compared::{CollisionTrace, Errors};
 use crate::physics::{Engine, build};
 use crate::scene::Scene;
 use crate::study::{Drive, RunError, Watch, measure, sensitivity};
@@ -45,8 +45,8 @@ pub(super) fn over_phases(
     candidate: &Candidate,
     spread: &mut Spread,
     watch: &mut Watch,
-    run: impl Fn(Drive, f64) -> Result<Run, RunError>,
-    errors: impl Fn(&Run) -> Errors,
+    run: impl Fn(Drive, f64) -> Result<CollisionTrace, RunError>,
+    errors: impl Fn(&CollisionTrace) -> Errors,
 ) -> Result<(), RunError> {
     let scene = &candidate.scene;
     let step = match candidate.rung {

@@ -40,7 +40,7 @@ const TOLERANCES: [f64; 2] = [1e-4, 1e-6];
 const STEPS: [f64; 3] = [50.0, 100.0, 200.0];
 
 /// A run, looked at in equal intervals.
-struct Run {
+struct PlateTrace {
     /// Heights of all beads at each look, as long as they are kept.
     path: Vec<f64>,
     /// Of the periods after the settling.
@@ -76,10 +76,10 @@ struct Growth {
 }
 
 /// A run of the report.
-struct Row {
+struct PlateRow {
     name: &'static str,
     setting: String,
-    outcome: Result<Run, (RunError, f64)>,
+    outcome: Result<PlateTrace, (RunError, f64)>,
     /// Largest distance of a bead from the reference in each tenth of a period, m.
     distances: Vec<f64>,
     growth: Growth,
@@ -115,13 +115,13 @@ pub(super) fn report(
     let count = (all.len() + 2) as f64;
     let mut tell = |k: usize, what: &str, part: f64| tell(what, Some((k as f64 + part) / count));
     let mut once = |part| tell(0, "the exact run", part);
-    let truth = match run(Start::Exactly, reference, looks, first, &mut once) {
+    let truth = match run(Beginning::Exactly, reference, looks, first, &mut once) {
         Ok(run) => run,
         // As far as the time allows, in whole periods; all others go as far.
         Err((RunError::Stopped { time }, _)) if time > LEAST_PERIODS * looks.period => {
             looks.duration = (time / looks.period).floor() * looks.period;
             let mut again = |part| tell(1, "the exact run, once more", part);
-            run(Start::Exactly, reference, looks, 4 * first, &mut again).map_err(|e| e.0)?
+            run(Beginning::Exactly, reference, looks, 4 * first, &mut again).map_err(|e| e.0)?
         }
         Err((RunError::Stopped { time }, seconds)) => {
             return Err(AccuracyError::TooSlow {
@@ -133,7 +133,7 @@ pub(super) fn report(
     };
     let mut rows = Vec::new();
     let mut off = |part| tell(1, "the exact run, one bit off", part);
-    let near = run(Start::OneUlpOff, reference, looks, 4 * first, &mut off);
+    let near = run(Beginning::OneUlpOff, reference, looks, 4 * first, &mut off);
     rows.push(row(
         "exact",
         "last bit".to_owned(),
@@ -146,7 +146,7 @@ pub(super) fn report(
         let name = candidate.method.as_str();
         let label = format!("{name} {}", candidate.setting());
         let outcome = run(
-            Start::Exactly,
+            Beginning::Exactly,
             &candidate.scene,
             looks,
             share(all.len() - k),
@@ -166,19 +166,19 @@ pub(super) fn report(
 
 /// Where a run begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Start {
+enum Beginning {
     Exactly,
     OneUlpOff,
 }
 
 /// A run of `most` of the time; `tell` hears which part of the run is done, or of the time.
 fn run(
-    from: Start,
+    from: Beginning,
     scene: &Scene,
     looks: Looks,
     most: Duration,
     tell: &mut dyn FnMut(f64),
-) -> Result<Run, (RunError, f64)> {
+) -> Result<PlateTrace, (RunError, f64)> {
     let started = Instant::now();
     let mut within = in_time(started + most);
     let mut watch = |time: f64| {
@@ -187,10 +187,10 @@ fn run(
         within(time)
     };
     let mut drive = match from {
-        Start::Exactly => Drive::new(scene, &mut watch),
-        Start::OneUlpOff => Drive::of(one_ulp_off(scene, 0), scene, &mut watch),
+        Beginning::Exactly => Drive::new(scene, &mut watch),
+        Beginning::OneUlpOff => Drive::of(one_ulp_off(scene, 0), scene, &mut watch),
     };
-    let mut run = Run {
+    let mut run = PlateTrace {
         path: Vec::new(),
         means: Means::new(scene, LOOKS),
         steps: 0,
@@ -206,7 +206,12 @@ fn run(
     }
 }
 
-fn follow(drive: &mut Drive, scene: &Scene, looks: Looks, run: &mut Run) -> Result<(), RunError> {
+fn follow(
+    drive: &mut Drive,
+    scene: &Scene,
+    looks: Looks,
+    run: &mut PlateTrace,
+) -> Result<(), RunError> {
     let mut seen = Observation::default();
     let interval = looks.period / LOOKS as f64;
     let mut look = 0.0;
@@ -233,11 +238,11 @@ fn follow(drive: &mut Drive, scene: &Scene, looks: Looks, run: &mut Run) -> Resu
 fn row(
     name: &'static str,
     setting: String,
-    outcome: Result<Run, (RunError, f64)>,
-    truth: &Run,
+    outcome: Result<PlateTrace, (RunError, f64)>,
+    truth: &PlateTrace,
     scene: &Scene,
     looks: Looks,
-) -> Row {
+) -> PlateRow {
     let distances = match &outcome {
         Ok(run) => distances(run, truth, scene.n),
         Err(_) => Vec::new(),
@@ -247,7 +252,7 @@ fn row(
         // Another model is not an error that grows.
         growth.rate = None;
     }
-    Row {
+    PlateRow {
         name,
         setting,
         outcome,
@@ -257,7 +262,7 @@ fn row(
 }
 
 /// Largest distance of any bead in each tenth of a period.
-fn distances(run: &Run, truth: &Run, n: usize) -> Vec<f64> {
+fn distances(run: &PlateTrace, truth: &PlateTrace, n: usize) -> Vec<f64> {
     let apart: Vec<f64> = run
         .path
         .iter()

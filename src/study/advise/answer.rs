@@ -5,7 +5,7 @@ use super::family::Family;
 use super::probe::{BEYOND_ERRORS, ERRORS, NAUGHT, Probe};
 use super::search::{Search, in_full};
 use super::tables::{self, percent};
-use super::{Advice, Kind, Question, Standing};
+use super::{Advice, Question, SceneKind, Standing};
 use crate::numerals::significant;
 use crate::scene::Preset;
 use crate::study::accuracy::facts;
@@ -28,7 +28,7 @@ pub(super) fn advice(
         "off: difference from the limit over the limit; errors: {}; verdict against a tolerance \
          of {}.",
         match search.kind {
-            Kind::Shaken => "standard errors of means",
+            SceneKind::Shaken => "standard errors of means",
             _ => "changes by the last bit of the start",
         },
         question.tolerance
@@ -56,10 +56,10 @@ pub(super) fn advice(
 }
 
 /// The verdict on the scene as it is, against hard spheres.
-fn on_the_scene(judged: &verdict::Verdict, kind: Kind) -> String {
+fn on_the_scene(judged: &verdict::Verdict, kind: SceneKind) -> String {
     let of_what = match kind {
-        Kind::Falling => " That is a judgement of how the column comes to rest, not of h_cm.",
-        Kind::Launched | Kind::Shaken => "",
+        SceneKind::Falling => " That is a judgement of how the column comes to rest, not of h_cm.",
+        SceneKind::Launched | SceneKind::Shaken => "",
     };
     let word = word(judged);
     format!("The scene as it is: {word}: {}.{of_what}", judged.because)
@@ -70,7 +70,7 @@ fn word(judged: &verdict::Verdict) -> &'static str {
 }
 
 /// The names of what is judged.
-fn judged(kind: Kind) -> String {
+fn judged(kind: SceneKind) -> String {
     let names = kind.observables().iter().filter(|o| o.judged);
     let names: Vec<&str> = names.map(|o| o.heading).collect();
     names.join(" and ")
@@ -161,7 +161,7 @@ fn standing(search: &Search) -> String {
                 "{looked}: {from}, {beyond}, and between them errors cross the tolerance: not \
                  decided.{}",
                 match search.kind {
-                    Kind::Shaken => " --budget gives more time.",
+                    SceneKind::Shaken => " --budget gives more time.",
                     _ => "",
                 }
             )
@@ -178,7 +178,7 @@ fn collapse(search: &Search) -> Option<String> {
     let loss = scene.n as f64 * (1.0 - scene.restitution);
     let collapsed = search.limit.readings().first()?.value < NAUGHT;
     let (what, so) = match search.kind {
-        Kind::Launched => (
+        SceneKind::Launched => (
             "bring the column to rest at the floor",
             "Soft ones come near that only where sigma_0 is large beyond reason, and there the \
              last bit of the start decides what is left",
@@ -214,15 +214,15 @@ fn tolerance(search: &Search) -> String {
         );
     }
     text + &match search.kind {
-        Kind::Shaken => format!(
+        SceneKind::Shaken => format!(
             " Means of at least {} periods; within: by {ERRORS} standard errors, beyond: by \
              {BEYOND_ERRORS}. E_r/E is a mean over a mean, h_cm the height of run's h_cm_mean.",
             search.probes.iter().map(Probe::periods).min().unwrap_or(0)
         ),
-        Kind::Launched => {
+        SceneKind::Launched => {
             " E_r/E_f is shown, not judged. off: the difference over the limit.".to_owned()
         }
-        Kind::Falling => " h_cm is the mean height of run's h_cm_mean.".to_owned(),
+        SceneKind::Falling => " h_cm is the mean height of run's h_cm_mean.".to_owned(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the methods cost at a contact time, measured side by side.
 
-use super::{Kind, Question};
+use super::{Question, SceneKind};
 use crate::physics::{Observation, spectrum};
 use crate::scene::parameters::Value;
 use crate::scene::{GridSettings, MethodName, Scene};
@@ -39,14 +39,14 @@ pub(super) struct Cost {
 }
 
 /// What one turn gave: steps or collisions, run time in s, results.
-type Turn = (f64, f64, Option<Results>);
+type TimedTurn = (f64, f64, Option<Results>);
 
 /// Every method on a scene, or on its hard twin; methods take turns.
 /// The grid is that of the scene `asked` about, where it has one.
 pub(super) fn costs(
     scene: &Scene,
     asked: &Scene,
-    kind: Kind,
+    kind: SceneKind,
     question: Question,
     tell: &mut Tell,
 ) -> Vec<Cost> {
@@ -62,7 +62,8 @@ pub(super) fn costs(
         .filter_map(|method| on_grid_of(asked, scene.with_method(method).ok()?))
         .collect();
     let turn = if question.quick { QUICK_TURN } else { TURN };
-    let mut turns: Vec<Vec<Result<Turn, RunError>>> = scenes.iter().map(|_| Vec::new()).collect();
+    let mut turns: Vec<Vec<Result<TimedTurn, RunError>>> =
+        scenes.iter().map(|_| Vec::new()).collect();
     let all = TURNS * scenes.len();
     let started = Instant::now();
     for k in 0..TURNS {
@@ -75,8 +76,8 @@ pub(super) fn costs(
             // What failed or was too slow once is so again.
             if turns.last().is_none_or(Result::is_ok) {
                 turns.push(match kind {
-                    Kind::Launched => collision(scene, PATIENCE * turn),
-                    Kind::Falling | Kind::Shaken => followed(scene, turn),
+                    SceneKind::Launched => collision(scene, PATIENCE * turn),
+                    SceneKind::Falling | SceneKind::Shaken => followed(scene, turn),
                 });
             }
         }
@@ -101,9 +102,9 @@ fn on_grid_of(asked: &Scene, scene: Scene) -> Option<Scene> {
     }
 }
 
-fn cost(scene: &Scene, turns: &[Result<Turn, RunError>]) -> Cost {
-    let done: Vec<&Turn> = turns.iter().filter_map(|turn| turn.as_ref().ok()).collect();
-    let middle = |of: &dyn Fn(&Turn) -> f64| {
+fn cost(scene: &Scene, turns: &[Result<TimedTurn, RunError>]) -> Cost {
+    let done: Vec<&TimedTurn> = turns.iter().filter_map(|turn| turn.as_ref().ok()).collect();
+    let middle = |of: &dyn Fn(&TimedTurn) -> f64| {
         let values: Vec<f64> = done.iter().map(|turn| of(turn)).collect();
         (!values.is_empty()).then(|| median(&values))
     };
@@ -126,7 +127,7 @@ fn cost(scene: &Scene, turns: &[Result<Turn, RunError>]) -> Cost {
 }
 
 /// A whole floor collision.
-fn collision(scene: &Scene, most: Duration) -> Result<Turn, RunError> {
+fn collision(scene: &Scene, most: Duration) -> Result<TimedTurn, RunError> {
     let started = Instant::now();
     let mut watch = in_time(started + most);
     let results = measure(scene, &mut Drive::new(scene, &mut watch))?;
@@ -136,7 +137,7 @@ fn collision(scene: &Scene, most: Duration) -> Result<Turn, RunError> {
 }
 
 /// As much of a run under gravity as there is time for, at least some periods.
-fn followed(scene: &Scene, turn: Duration) -> Result<Turn, RunError> {
+fn followed(scene: &Scene, turn: Duration) -> Result<TimedTurn, RunError> {
     let fall = (scene.diameter / scene.gravity.unwrap_or(f64::NAN)).sqrt();
     let period = scene.period().unwrap_or(fall);
     let started = Instant::now();

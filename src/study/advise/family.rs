@@ -1,6 +1,6 @@
 //! A scene and its like with other contact times.
 
-use super::{AdviseError, Against, Kind, Question};
+use super::{AdviseError, Against, Question, SceneKind};
 use crate::math;
 use crate::numerals::rounded;
 use crate::scene::parameters::{Setting, Value, named};
@@ -139,10 +139,10 @@ impl Family {
     fn range(&self, limit: Option<f64>) -> (f64, f64) {
         let scene = &self.base;
         let fall = (scene.diameter / scene.gravity.unwrap_or(f64::NAN)).sqrt();
-        let (time, (least, most)) = match Kind::of(scene) {
-            Kind::Launched => (self.flight().unwrap_or(self.base_time), LAUNCHED),
-            Kind::Falling => (fall, FALLING),
-            Kind::Shaken => (scene.period().unwrap_or(fall), SHAKEN),
+        let (time, (least, most)) = match SceneKind::of(scene) {
+            SceneKind::Launched => (self.flight().unwrap_or(self.base_time), LAUNCHED),
+            SceneKind::Falling => (fall, FALLING),
+            SceneKind::Shaken => (scene.period().unwrap_or(fall), SHAKEN),
         };
         match limit {
             Some(limit) => (
@@ -162,7 +162,7 @@ impl Family {
     /// Why the contact time does not matter, if it cannot.
     pub fn indifference(&self) -> Option<&'static str> {
         let scene = &self.base;
-        if Kind::of(scene) != Kind::Launched || scene.period().is_some() {
+        if SceneKind::of(scene) != SceneKind::Launched || scene.period().is_some() {
             return None;
         }
         if scene.n == 1 {

@@ -1,6 +1,6 @@
 //! A contact time that is looked at.
 
-use super::Kind;
+use super::SceneKind;
 use crate::math;
 use crate::physics::{Engine, Observation, build};
 use crate::scene::Scene;
@@ -85,7 +85,7 @@ const H_CM: Observable = Observable {
     judged: true,
 };
 
-impl Kind {
+impl SceneKind {
     /// What is compared, in the order of the readings.
     pub fn observables(self) -> &'static [Observable] {
         match self {
@@ -125,7 +125,7 @@ impl Observable {
 
 /// What looking gave.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Outcome {
+pub(super) enum ProbeOutcome {
     /// Nothing yet.
     Unseen,
     /// A reading for every observable.
@@ -140,13 +140,13 @@ pub(super) enum Outcome {
 
 /// Whether a contact time will do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Verdict {
+pub(super) enum Suitability {
     Within,
     Beyond,
     Undecided,
 }
 
-impl Verdict {
+impl Suitability {
     pub fn word(self) -> &'static str {
         match self {
             Self::Within => "within",
@@ -161,7 +161,7 @@ pub(super) struct Probe {
     /// Its contact time, s; none of hard spheres.
     pub contact_time: Option<f64>,
     pub scene: Scene,
-    pub outcome: Outcome,
+    pub outcome: ProbeOutcome,
     /// Where a shaken column has come to.
     engine: Option<Box<dyn Engine>>,
     means: Means,
@@ -174,7 +174,7 @@ impl Probe {
             contact_time,
             means: Means::new(&scene, LOOKS),
             scene,
-            outcome: Outcome::Unseen,
+            outcome: ProbeOutcome::Unseen,
             engine: None,
             looks: 0.0,
         }
@@ -187,9 +187,9 @@ impl Probe {
 
     /// Looks at the scene until `end` at most; at a shaken column for so many periods
     /// since its start.
-    pub fn look(&mut self, kind: Kind, periods: usize, end: Instant) {
+    pub fn look(&mut self, kind: SceneKind, periods: usize, end: Instant) {
         self.outcome = match kind {
-            Kind::Shaken => {
+            SceneKind::Shaken => {
                 let followed = self.follow(periods, end);
                 self.judge(followed)
             }
@@ -222,19 +222,19 @@ impl Probe {
         followed
     }
 
-    fn judge(&self, followed: Result<(), RunError>) -> Outcome {
+    fn judge(&self, followed: Result<(), RunError>) -> ProbeOutcome {
         match followed {
             Ok(()) => {}
             Err(RunError::Stopped { .. }) if self.periods() >= LEAST_PERIODS => {}
-            Err(RunError::Stopped { .. }) => return Outcome::TooSlow,
-            Err(error) => return Outcome::Failed(error),
+            Err(RunError::Stopped { .. }) => return ProbeOutcome::TooSlow,
+            Err(error) => return ProbeOutcome::Failed(error),
         }
         let all = self.settled();
         let (Some(share), Some(height)) = (
             self.means.share(all.clone()),
             self.means.height(all.clone()),
         ) else {
-            return Outcome::Nothing("the column never moves");
+            return ProbeOutcome::Nothing("the column never moves");
         };
         let reading = |mean: Mean, [one, other]: [Option<Mean>; 2], above: f64| Reading {
             value: mean.value + above,
@@ -247,7 +247,7 @@ impl Probe {
         let shares = halves(&|half| self.means.share(half));
         let heights = halves(&|half| self.means.height(half));
         let resting = stacking_height(&self.scene);
-        Outcome::Seen(vec![
+        ProbeOutcome::Seen(vec![
             reading(share, shares, 0.0),
             reading(height, heights, resting),
         ])
@@ -273,7 +273,7 @@ impl Probe {
     /// The readings, if there are any.
     pub fn readings(&self) -> &[Reading] {
         match &self.outcome {
-            Outcome::Seen(readings) => readings,
+            ProbeOutcome::Seen(readings) => readings,
             _ => &[],
         }
     }
@@ -281,30 +281,30 @@ impl Probe {
     /// Why there are none.
     pub fn failure(&self) -> Option<String> {
         match &self.outcome {
-            Outcome::Seen(_) | Outcome::Unseen => None,
-            Outcome::TooSlow => Some("too slow for the time there was".to_owned()),
-            Outcome::Failed(error) => Some(error.to_string()),
-            Outcome::Nothing(why) => Some((*why).to_owned()),
+            ProbeOutcome::Seen(_) | ProbeOutcome::Unseen => None,
+            ProbeOutcome::TooSlow => Some("too slow for the time there was".to_owned()),
+            ProbeOutcome::Failed(error) => Some(error.to_string()),
+            ProbeOutcome::Nothing(why) => Some((*why).to_owned()),
         }
     }
 
     /// Whether it is within the tolerance of the limit, as far as the errors of both say.
-    pub fn verdict(&self, limit: &Self, kind: Kind, tolerance: f64) -> Verdict {
+    pub fn verdict(&self, limit: &Self, kind: SceneKind, tolerance: f64) -> Suitability {
         let (here, there) = (self.readings(), limit.readings());
         if here.is_empty() || there.is_empty() {
-            return Verdict::Undecided;
+            return Suitability::Undecided;
         }
         let judged = kind.observables().iter().zip(here.iter().zip(there));
-        let mut verdict = Verdict::Within;
+        let mut verdict = Suitability::Within;
         for (observable, (reading, limit)) in judged.filter(|(o, _)| o.judged) {
             let off = observable.off(*reading, *limit);
             if off.value - BEYOND_ERRORS * off.error > tolerance {
-                return Verdict::Beyond;
+                return Suitability::Beyond;
             }
             // A NaN is not within.
             let within = off.value + ERRORS * off.error <= tolerance;
             if !within {
-                verdict = Verdict::Undecided;
+                verdict = Suitability::Undecided;
             }
         }
         verdict
@@ -320,7 +320,7 @@ fn error_of(mean: Mean, one: Option<Mean>, other: Option<Mean>) -> f64 {
 }
 
 /// A run with one right answer: its results, and what the last bit of the start changes.
-fn alone(scene: &Scene, kind: Kind, end: Instant) -> Outcome {
+fn alone(scene: &Scene, kind: SceneKind, end: Instant) -> ProbeOutcome {
     let mut watch = in_time(end);
     let both = measure(scene, &mut Drive::new(scene, &mut watch)).and_then(|here| {
         let mut off = Drive::of(one_ulp_off(scene, 0), scene, &mut watch);
@@ -328,25 +328,25 @@ fn alone(scene: &Scene, kind: Kind, end: Instant) -> Outcome {
     });
     let (here, near) = match both {
         Ok(both) => both,
-        Err(RunError::Stopped { .. }) => return Outcome::TooSlow,
-        Err(error) => return Outcome::Failed(error),
+        Err(RunError::Stopped { .. }) => return ProbeOutcome::TooSlow,
+        Err(error) => return ProbeOutcome::Failed(error),
     };
     let reading = |here: f64, near: Option<f64>| Reading {
         value: here,
         error: near.map_or(f64::INFINITY, |near| (near - here).abs()),
     };
     match (kind, here.eps_eff, here.h_cm_mean) {
-        (Kind::Launched, Some(eps_eff), _) => {
+        (SceneKind::Launched, Some(eps_eff), _) => {
             let share = here.er_over_ef.unwrap_or(f64::NAN);
-            Outcome::Seen(vec![
+            ProbeOutcome::Seen(vec![
                 reading(eps_eff, near.eps_eff),
                 reading(share, near.er_over_ef),
             ])
         }
-        (Kind::Launched, None, _) => {
-            Outcome::Nothing("the floor collision is not over within the duration")
+        (SceneKind::Launched, None, _) => {
+            ProbeOutcome::Nothing("the floor collision is not over within the duration")
         }
-        (_, _, Some(height)) => Outcome::Seen(vec![reading(height, near.h_cm_mean)]),
-        _ => Outcome::Nothing("the run has no mean height"),
+        (_, _, Some(height)) => ProbeOutcome::Seen(vec![reading(height, near.h_cm_mean)]),
+        _ => ProbeOutcome::Nothing("the run has no mean height"),
     }
 }

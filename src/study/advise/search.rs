@@ -2,8 +2,8 @@
 //! bisection of the bracket.
 
 use super::family::{DIGITS, Family};
-use super::probe::{ERRORS, Outcome, Probe, Verdict};
-use super::{AdviseError, Kind, Question};
+use super::probe::{ERRORS, Probe, ProbeOutcome, Suitability};
+use super::{AdviseError, Question, SceneKind};
 use crate::math;
 use crate::numerals::rounded;
 use crate::study::{Tell, sweep};
@@ -55,7 +55,7 @@ pub enum Standing {
 
 /// All that was looked at.
 pub(super) struct Search<'a> {
-    pub kind: Kind,
+    pub kind: SceneKind,
     pub question: Question,
     pub limit: Probe,
     /// In the order of their contact times.
@@ -76,7 +76,7 @@ impl<'a> Search<'a> {
         let (limit, limit_time) = family.limit(question.against)?;
         let ladder = family.ladder(question, limit_time)?;
         let mut search = Self {
-            kind: Kind::of(family.scene()),
+            kind: SceneKind::of(family.scene()),
             question,
             limit: Probe::new(limit, limit_time),
             probes: Vec::new(),
@@ -99,13 +99,13 @@ impl<'a> Search<'a> {
         let periods = LIMIT_LONGER * self.first_periods();
         self.limit.look(self.kind, periods, end);
         match &self.limit.outcome {
-            Outcome::Failed(error) => Err(AdviseError::Limit(error.clone())),
-            Outcome::TooSlow | Outcome::Unseen => {
+            ProbeOutcome::Failed(error) => Err(AdviseError::Limit(error.clone())),
+            ProbeOutcome::TooSlow | ProbeOutcome::Unseen => {
                 let share = (self.question.time / SHARE).as_secs_f64();
                 Err(AdviseError::LimitTooSlow { share })
             }
-            Outcome::Nothing(why) => Err(AdviseError::NoLimit((*why).to_owned())),
-            Outcome::Seen(_) => Ok(()),
+            ProbeOutcome::Nothing(why) => Err(AdviseError::NoLimit((*why).to_owned())),
+            ProbeOutcome::Seen(_) => Ok(()),
         }
     }
 
@@ -118,7 +118,7 @@ impl<'a> Search<'a> {
     }
 
     /// The verdict on the scene's own contact time.
-    pub fn own(&self) -> Option<(&Probe, Verdict)> {
+    pub fn own(&self) -> Option<(&Probe, Suitability)> {
         let own = self.family.own?;
         let mut both = self.probes.iter().zip(self.verdicts());
         both.find(|(probe, _)| probe.contact_time == Some(own))
@@ -158,7 +158,7 @@ impl<'a> Search<'a> {
         let Some(stop) = verdicts.get(within) else {
             return false;
         };
-        if *stop == Verdict::Undecided && self.kind == Kind::Shaken {
+        if *stop == Suitability::Undecided && self.kind == SceneKind::Shaken {
             // Near the tolerance nothing is ever decided: what is known well enough to
             // say that is as good as beyond, and the bracket is narrowed about it.
             return (!self.is_settled(within) && self.look_longer(&verdicts, tell))
@@ -180,8 +180,8 @@ impl<'a> Search<'a> {
     }
 
     /// Narrows the bracket between what is not decided and what is beyond.
-    fn bisect_above(&mut self, verdicts: &[Verdict], tell: &mut Tell) -> bool {
-        let beyond = verdicts.iter().position(|v| *v == Verdict::Beyond);
+    fn bisect_above(&mut self, verdicts: &[Suitability], tell: &mut Tell) -> bool {
+        let beyond = verdicts.iter().position(|v| *v == Suitability::Beyond);
         beyond.is_some_and(|k| self.bisect(k, tell))
     }
 
@@ -212,7 +212,7 @@ impl<'a> Search<'a> {
 
     fn narrow(&self) -> f64 {
         match (self.kind, self.question.quick) {
-            (Kind::Shaken, _) => NARROW_SHAKEN,
+            (SceneKind::Shaken, _) => NARROW_SHAKEN,
             (_, true) => NARROW_QUICK,
             _ => NARROW,
         }
@@ -220,11 +220,12 @@ impl<'a> Search<'a> {
 
     /// Follows the shortest that are not decided, below the first that is beyond, for
     /// twice as many periods. False when there is nothing more to follow.
-    fn look_longer(&mut self, verdicts: &[Verdict], tell: &mut Tell) -> bool {
-        let beyond = verdicts.iter().position(|v| *v == Verdict::Beyond);
+    fn look_longer(&mut self, verdicts: &[Suitability], tell: &mut Tell) -> bool {
+        let beyond = verdicts.iter().position(|v| *v == Suitability::Beyond);
         let below = &verdicts[..beyond.unwrap_or(verdicts.len())];
-        let is_open =
-            |k: &usize| below[*k] == Verdict::Undecided && self.probes[*k].periods() < MOST_PERIODS;
+        let is_open = |k: &usize| {
+            below[*k] == Suitability::Undecided && self.probes[*k].periods() < MOST_PERIODS
+        };
         // The answer hangs on the shortest of them.
         let open: Vec<usize> = (0..below.len()).filter(is_open).take(AT_ONCE).collect();
         !open.is_empty() && self.extend(&open, tell)
@@ -288,7 +289,7 @@ impl<'a> Search<'a> {
     }
 
     /// What the probes come to, in their order.
-    pub fn verdicts(&self) -> Vec<Verdict> {
+    pub fn verdicts(&self) -> Vec<Suitability> {
         let verdict =
             |probe: &Probe| probe.verdict(&self.limit, self.kind, self.question.tolerance);
         self.probes.iter().map(verdict).collect()
@@ -304,7 +305,7 @@ impl<'a> Search<'a> {
     /// The shortest contact time that is beyond, after those that are within.
     pub fn beyond(&self) -> Option<&Probe> {
         let verdicts = self.verdicts();
-        let k = verdicts.iter().position(|v| *v == Verdict::Beyond)?;
+        let k = verdicts.iter().position(|v| *v == Suitability::Beyond)?;
         Some(&self.probes[k])
     }
 
@@ -313,8 +314,8 @@ impl<'a> Search<'a> {
         let within = leading(&verdicts);
         match (within, verdicts.get(within)) {
             (_, None) => Standing::Any,
-            (0, Some(Verdict::Beyond)) => Standing::None,
-            (_, Some(Verdict::Beyond)) => Standing::Found,
+            (0, Some(Suitability::Beyond)) => Standing::None,
+            (_, Some(Suitability::Beyond)) => Standing::Found,
             _ => Standing::Open,
         }
     }
@@ -322,21 +323,21 @@ impl<'a> Search<'a> {
     /// Whether some contact time is within again after one that is beyond.
     pub fn returns(&self) -> bool {
         let verdicts = self.verdicts();
-        let after = verdicts.iter().skip_while(|v| **v != Verdict::Beyond);
-        after.into_iter().any(|v| *v == Verdict::Within)
+        let after = verdicts.iter().skip_while(|v| **v != Suitability::Beyond);
+        after.into_iter().any(|v| *v == Suitability::Within)
     }
 }
 
-fn leading(verdicts: &[Verdict]) -> usize {
+fn leading(verdicts: &[Suitability]) -> usize {
     verdicts
         .iter()
-        .take_while(|v| **v == Verdict::Within)
+        .take_while(|v| **v == Suitability::Within)
         .count()
 }
 
 /// Looks at scenes side by side, each for a share of the time; tells how many are done.
 fn look(
-    kind: Kind,
+    kind: SceneKind,
     tasks: Vec<(&mut Probe, usize)>,
     threads: usize,
     (end, one): (Instant, Duration),

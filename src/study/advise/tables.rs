@@ -1,11 +1,11 @@
 //! The answer, the costs and the curve as tables and as a picture.
 
 use super::cost::Cost;
-use super::probe::{ERRORS, Observable, Probe, Reading, Verdict};
+use super::probe::{ERRORS, Observable, Probe, Reading, Suitability};
 use super::search::{Search, in_full};
-use super::{Kind, Standing};
+use super::{SceneKind, Standing};
 use crate::numerals::{rounded, significant};
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Cell, Column, Digits, Table};
 
 /// The least error that a plot shows, over the tolerance.
@@ -21,7 +21,7 @@ pub(super) fn percent(part: f64) -> String {
 pub(super) fn answer(search: &Search) -> Table {
     let four = Digits::Significant(4);
     let sigma = match search.kind {
-        Kind::Launched => "sigma_0",
+        SceneKind::Launched => "sigma_0",
         _ => "",
     };
     let mut columns = vec![
@@ -33,7 +33,7 @@ pub(super) fn answer(search: &Search) -> Table {
     for observable in search.kind.observables() {
         let [name, error, off, _] = observable.names;
         columns.push(Column::new(name, observable.heading, observable.unit).with(four));
-        if search.kind == Kind::Shaken {
+        if search.kind == SceneKind::Shaken {
             columns.push(Column::new(error, "+-", observable.unit).with(Digits::Significant(2)));
         } else {
             columns.push(Column::new(error, "", observable.unit));
@@ -42,7 +42,7 @@ pub(super) fn answer(search: &Search) -> Table {
     }
     columns.push(Column::new("verdict", "verdict", ""));
     let mut table = Table::new("advise", "", columns);
-    let mut push = |what: &str, words: String, probe: &Probe, verdict: Option<Verdict>| {
+    let mut push = |what: &str, words: String, probe: &Probe, verdict: Option<Suitability>| {
         let mut cells: Vec<Cell> = vec![
             what.into(),
             words.into(),
@@ -54,7 +54,7 @@ pub(super) fn answer(search: &Search) -> Table {
             let off = if verdict.is_none() { None } else { off };
             cells.extend([value.into(), error.into(), off.into()]);
         }
-        cells.push(verdict.map(Verdict::word).into());
+        cells.push(verdict.map(Suitability::word).into());
         table.push(cells);
     };
     push("limit", search.against(), &search.limit, None);
@@ -63,7 +63,7 @@ pub(super) fn answer(search: &Search) -> Table {
             "longest",
             "longest within".to_owned(),
             longest,
-            Some(Verdict::Within),
+            Some(Suitability::Within),
         );
     }
     if let Some(open) = open(search) {
@@ -71,7 +71,7 @@ pub(super) fn answer(search: &Search) -> Table {
             "undecided",
             "not decided".to_owned(),
             open,
-            Some(Verdict::Undecided),
+            Some(Suitability::Undecided),
         );
     }
     let shortest = match search.standing() {
@@ -83,7 +83,7 @@ pub(super) fn answer(search: &Search) -> Table {
             "beyond",
             "shortest beyond".to_owned(),
             beyond,
-            Some(Verdict::Beyond),
+            Some(Suitability::Beyond),
         );
     }
     if let Some((probe, verdict)) = search.own() {
@@ -95,8 +95,8 @@ pub(super) fn answer(search: &Search) -> Table {
 /// The first contact time that is not decided, if the answer hangs on it.
 fn open<'a>(search: &'a Search) -> Option<&'a Probe> {
     let verdicts = search.verdicts();
-    let k = verdicts.iter().position(|v| *v != Verdict::Within)?;
-    (verdicts[k] == Verdict::Undecided).then(|| &search.probes[k])
+    let k = verdicts.iter().position(|v| *v != Suitability::Within)?;
+    (verdicts[k] == Suitability::Undecided).then(|| &search.probes[k])
 }
 
 /// Value, error, difference and its error of every observable.
@@ -149,10 +149,10 @@ pub(super) fn curve(search: &Search) -> Table {
         let mut cells: Vec<Cell> = vec![probe.contact_time.into(), probe.scene.sigma0().into()];
         let values = triples(search, probe).into_iter().flatten();
         cells.extend(values.map(Cell::from));
-        let periods = (search.kind == Kind::Shaken).then(|| probe.periods() as u64);
+        let periods = (search.kind == SceneKind::Shaken).then(|| probe.periods() as u64);
         cells.extend([
             periods.into(),
-            verdict.map(Verdict::word).into(),
+            verdict.map(Suitability::word).into(),
             probe.failure().into(),
         ]);
         table.push(cells);
@@ -162,7 +162,7 @@ pub(super) fn curve(search: &Search) -> Table {
 
 /// What the methods cost at the answer.
 pub(super) fn cost(costs: &[Cost], search: &Search) -> Table {
-    let launched = search.kind == Kind::Launched;
+    let launched = search.kind == SceneKind::Launched;
     let (work, run_time) = if launched {
         ("steps", "run time")
     } else {
@@ -260,25 +260,25 @@ pub(super) fn plot(search: &Search) -> Plot {
         .filter(|(_, o)| o.judged);
     for (k, observable) in judged {
         let here = points(k, 0.0);
-        if search.kind == Kind::Shaken && here.iter().all(|point| point.1 <= least) {
+        if search.kind == SceneKind::Shaken && here.iter().all(|point| point.1 <= least) {
             // A single bead has no relative motion.
             continue;
         }
         series.push(Series::new(observable.heading, here));
-        if search.kind == Kind::Shaken {
+        if search.kind == SceneKind::Shaken {
             let name = format!("{} + {ERRORS} errors", observable.heading);
-            series.push(Series::new(name, points(k, ERRORS)).with(Look::Points));
+            series.push(Series::new(name, points(k, ERRORS)).with(SeriesStyle::Points));
         }
     }
     let times = || search.probes.iter().filter_map(|probe| probe.contact_time);
     let ends = [times().next(), times().next_back()].into_iter().flatten();
     let across = ends.map(|t| (t, tolerance)).collect();
     let name = format!("tolerance {}", significant(tolerance, 2));
-    series.push(Series::new(name, across).with(Look::Line));
+    series.push(Series::new(name, across).with(SeriesStyle::Line));
     if let Some(longest) = search.longest().and_then(|probe| probe.contact_time) {
         let name = format!("t_c = {} s", in_full(longest));
         let up = vec![(longest, least), (longest, tolerance)];
-        series.push(Series::new(name, up).with(Look::Line));
+        series.push(Series::new(name, up).with(SeriesStyle::Line));
     }
     Plot {
         name: "advise".to_owned(),

@@ -1,12 +1,12 @@
 //! A motion as comma-separated values: a header, a row a moment.
 
-use super::Motion;
+use super::MotionWriter;
 use crate::physics::Observation;
 use crate::scene::Scene;
 use crate::study::measure::sigma;
 use std::io::{self, Write};
 
-struct Series<'a> {
+struct SeriesWriter<'a> {
     scene: &'a Scene,
     writer: csv::Writer<&'a mut dyn Write>,
 }
@@ -15,13 +15,13 @@ struct Series<'a> {
 pub(super) fn begin<'a>(
     scene: &'a Scene,
     output: &'a mut dyn Write,
-) -> io::Result<Box<dyn Motion + 'a>> {
+) -> io::Result<Box<dyn MotionWriter + 'a>> {
     let mut writer = csv::Writer::from_writer(output);
     writer.write_record(header(scene)).map_err(of_output)?;
-    Ok(Box::new(Series { scene, writer }))
+    Ok(Box::new(SeriesWriter { scene, writer }))
 }
 
-impl Motion for Series<'_> {
+impl MotionWriter for SeriesWriter<'_> {
     fn moment(&mut self, now: &Observation) -> io::Result<()> {
         self.writer
             .serialize(cells(self.scene, now))

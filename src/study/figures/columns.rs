@@ -1,7 +1,7 @@
 //! Figs. 2(b) and (c) and the sentences of Sec. IV A: columns without gaps.
 
-use super::bench::Bench;
 use super::limits;
+use super::pool::RunPool;
 use super::runs::{largest, results, smallest};
 use super::touching::{CONTACT_TIME, eps, run, scene};
 use super::{Claim, FigureError, Sheet};
@@ -10,7 +10,7 @@ use crate::scene::MethodName;
 use crate::study::Results;
 use crate::study::accuracy::facts;
 use crate::study::fit::slope;
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Column, Table};
 
 const LENGTHS: [u64; 7] = [1, 2, 5, 10, 20, 50, 100];
@@ -25,18 +25,18 @@ fn share(results: &Results) -> f64 {
 }
 
 /// All lengths at all restitutions, and the table of them.
-struct Grid {
+struct LengthScan {
     jobs: Vec<(f64, u64)>,
     found: Vec<Results>,
 }
 
-impl Grid {
-    fn run(bench: &mut Bench) -> Result<Self, FigureError> {
+impl LengthScan {
+    fn run(pool: &mut RunPool) -> Result<Self, FigureError> {
         let jobs: Vec<(f64, u64)> = RESTITUTIONS
             .iter()
             .flat_map(|&restitution| LENGTHS.map(|n| (restitution, n)))
             .collect();
-        let found = bench.each(&jobs, |&(restitution, n)| run(n, restitution, SPEED))?;
+        let found = pool.each(&jobs, |&(restitution, n)| run(n, restitution, SPEED))?;
         Ok(Self { jobs, found })
     }
 
@@ -74,8 +74,8 @@ impl Grid {
     }
 }
 
-pub(super) fn fig2b(bench: &mut Bench) -> Result<Sheet, FigureError> {
-    let grid = Grid::run(bench)?;
+pub(super) fn fig2b(pool: &mut RunPool) -> Result<Sheet, FigureError> {
+    let grid = LengthScan::run(pool)?;
     let captioned = run(10, 0.9, CAPTION_SPEED)?;
     let mut sheet = Sheet::default();
     let loss = |restitution: f64| grid.over_n(restitution, |r| 1.0 - eps(r));
@@ -138,7 +138,7 @@ pub(super) fn fig2b(bench: &mut Bench) -> Result<Sheet, FigureError> {
         let line = loss(at);
         let (n, y) = line[line.len() - 1];
         let points = vec![(10.0, y * math::powf(10.0 / n, paper)), (n, y)];
-        series.push(Series::new(name, points).with(Look::Line));
+        series.push(Series::new(name, points).with(SeriesStyle::Line));
     }
     sheet.plots.push(Plot {
         name: "fig2b".to_owned(),
@@ -148,12 +148,12 @@ pub(super) fn fig2b(bench: &mut Bench) -> Result<Sheet, FigureError> {
         series,
     });
     sheet.data.push(grid.table("fig2b")?);
-    limits::losses(bench, SPEED, &mut sheet)?;
+    limits::losses(pool, SPEED, &mut sheet)?;
     Ok(sheet)
 }
 
-pub(super) fn fig2c(bench: &mut Bench) -> Result<Sheet, FigureError> {
-    let grid = Grid::run(bench)?;
+pub(super) fn fig2c(pool: &mut RunPool) -> Result<Sheet, FigureError> {
+    let grid = LengthScan::run(pool)?;
     let mut sheet = Sheet::default();
     sheet.claims.push(Claim::near(
         "E_r/E_f, N = 10, eps = 0.9",
@@ -176,8 +176,8 @@ pub(super) fn fig2c(bench: &mut Bench) -> Result<Sheet, FigureError> {
 }
 
 /// The sentences of Sec. IV A.
-pub(super) fn sentences(bench: &mut Bench) -> Result<Sheet, FigureError> {
-    let grid = Grid::run(bench)?;
+pub(super) fn sentences(pool: &mut RunPool) -> Result<Sheet, FigureError> {
+    let grid = LengthScan::run(pool)?;
     let mut sheet = Sheet::default();
     let touching = grid.over_n(0.9, |r| {
         r.contact_duration.unwrap_or(f64::NAN) / CONTACT_TIME
@@ -193,9 +193,9 @@ pub(super) fn sentences(bench: &mut Bench) -> Result<Sheet, FigureError> {
             0.1,
         ));
     }
-    limits::times(bench, SPEED, CONTACT_TIME, &mut sheet)?;
+    limits::times(pool, SPEED, CONTACT_TIME, &mut sheet)?;
     let speeds = [0.01, 0.1, 1.0, 10.0];
-    let runs = bench.each(&speeds, |&speed| run(10, 0.9, speed))?;
+    let runs = pool.each(&speeds, |&speed| run(10, 0.9, speed))?;
     let energies: Vec<_> = speeds
         .iter()
         .zip(&runs)
@@ -206,7 +206,7 @@ pub(super) fn sentences(bench: &mut Bench) -> Result<Sheet, FigureError> {
     sheet
         .claims
         .push(Claim::off("power of v0 in E_r", 2.0, power, 1e-6));
-    weak_damping(bench, &mut sheet)?;
+    weak_damping(pool, &mut sheet)?;
     let strong = run(10, 0.6, SPEED)?;
     sheet.claims.push(Claim::least(
         "MD, N 10, eps 0.6: E_r/E_f",
@@ -229,9 +229,9 @@ pub(super) fn sentences(bench: &mut Bench) -> Result<Sheet, FigureError> {
 }
 
 /// "In the limit of low dissipation, ε > 0.9, we find that ε_eff ∝ ε."
-fn weak_damping(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
+fn weak_damping(pool: &mut RunPool, sheet: &mut Sheet) -> Result<(), FigureError> {
     let restitutions: Vec<f64> = (0..=10).map(|k| 0.9 + 0.00999 * f64::from(k)).collect();
-    let runs = bench.each(&restitutions, |&restitution| run(10, restitution, SPEED))?;
+    let runs = pool.each(&restitutions, |&restitution| run(10, restitution, SPEED))?;
     let points: Vec<_> = restitutions
         .iter()
         .copied()

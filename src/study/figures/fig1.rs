@@ -1,12 +1,12 @@
 //! Fig. 1: trajectories of ten beads that meet a floor.
 
-use super::bench::Bench;
+use super::pool::RunPool;
 use super::runs::{looks, preset, results};
 use super::{Claim, FigureError, Sheet};
 use crate::physics::Observation;
 use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Column, Table};
 
 /// A panel: its letter, method, the other method's panel, what is drawn of it, s.
@@ -49,16 +49,16 @@ struct End {
 }
 
 /// The sheet of a panel.
-pub(super) fn sheet(letter: char, bench: &mut Bench) -> Result<Sheet, FigureError> {
+pub(super) fn sheet(letter: char, pool: &mut RunPool) -> Result<Sheet, FigureError> {
     let find = |letter: char| PANELS.iter().find(|panel| panel.letter == letter);
     let mut sheet = Sheet::default();
     let Some((this, other)) = find(letter).and_then(|p| Some((p, find(p.other)?))) else {
         return Ok(sheet);
     };
     let scenes = [scene(this)?, scene(other)?];
-    let ends = bench.each(&scenes, end)?;
+    let ends = pool.each(&scenes, end)?;
     sheet.claims = claims(letter, &ends[0], &ends[1]);
-    let count = bench.pick(POINTS.0, POINTS.1);
+    let count = pool.pick(POINTS.0, POINTS.1);
     trajectories(this, &scenes[0], count, &mut sheet)?;
     sheet.notes.push(format!(
         "{} Reduced heights z_i = 0 when the column just touches (Eq. (9) prints N - 1 for \
@@ -181,7 +181,7 @@ fn trajectories(
         series: lines
             .into_iter()
             .enumerate()
-            .map(|(bead, line)| Series::new(format!("{}", bead + 1), line).with(Look::Line))
+            .map(|(bead, line)| Series::new(format!("{}", bead + 1), line).with(SeriesStyle::Line))
             .collect(),
     });
     Ok(())

@@ -1,12 +1,12 @@
 //! Fig. 2(a): ε_eff over σ, one curve for all speeds, contact times and separations.
 
-use super::bench::Bench;
+use super::pool::RunPool;
 use super::runs::{crossing, decades, largest, preset, results, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Column, Table};
 
 /// Speeds v₀, m/s, and contact times t_c, s, over the paper's ranges.
@@ -31,7 +31,7 @@ const HARD_SPEEDS: [f64; 3] = [20.0, 0.2, 0.01];
 
 /// A run.
 #[derive(Clone, Copy)]
-struct Job {
+struct SpacedRun {
     v0: f64,
     contact_time: f64,
     s0: f64,
@@ -39,7 +39,7 @@ struct Job {
     seed: Option<u64>,
 }
 
-impl Job {
+impl SpacedRun {
     fn sigma(&self) -> f64 {
         self.s0 / (self.v0 * self.contact_time)
     }
@@ -72,15 +72,15 @@ impl Job {
     }
 }
 
-pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
-    let separations = decades(SEPARATIONS.0, SEPARATIONS.1, bench.pick(26, 61));
+pub(super) fn sheet(pool: &mut RunPool) -> Result<Sheet, FigureError> {
+    let separations = decades(SEPARATIONS.0, SEPARATIONS.1, pool.pick(26, 61));
     let mut jobs = Vec::new();
     for (v0, contact_time) in PAIRS {
         for shifted in [false, true] {
             for &s0 in &separations {
                 // A seed of its own for every run.
                 let seed = shifted.then_some(1 + jobs.len() as u64);
-                jobs.push(Job {
+                jobs.push(SpacedRun {
                     v0,
                     contact_time,
                     s0,
@@ -89,8 +89,8 @@ pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
             }
         }
     }
-    let found = bench.each(&jobs, |job| Ok((job.run()?, job.twin().run()?)))?;
-    let hard = hard(bench)?;
+    let found = pool.each(&jobs, |job| Ok((job.run()?, job.twin().run()?)))?;
+    let hard = hard(pool)?;
     let mut sheet = Sheet::default();
     spread(&jobs, &found, &mut sheet);
     fall(&jobs, &found, &mut sheet);
@@ -109,12 +109,12 @@ pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
     Ok(sheet)
 }
 
-fn hard(bench: &mut Bench) -> Result<Vec<f64>, FigureError> {
+fn hard(pool: &mut RunPool) -> Result<Vec<f64>, FigureError> {
     let jobs: Vec<(f64, f64)> = HARD_SPEEDS
         .iter()
         .flat_map(|&v0| HARD_SEPARATIONS.map(|s0| (v0, s0)))
         .collect();
-    bench.each(&jobs, |&(v0, s0)| {
+    pool.each(&jobs, |&(v0, s0)| {
         let values = [("v0", Value::Number(-v0)), ("s0", Value::Number(s0))];
         let scene = preset("fig1d", Some(MethodName::Ed), &values)?;
         Ok(results(&scene)?.eps_eff.unwrap_or(f64::NAN))
@@ -122,7 +122,7 @@ fn hard(bench: &mut Bench) -> Result<Vec<f64>, FigureError> {
 }
 
 /// How far the points are from one curve.
-fn spread(jobs: &[Job], found: &[(f64, f64)], sheet: &mut Sheet) {
+fn spread(jobs: &[SpacedRun], found: &[(f64, f64)], sheet: &mut Sheet) {
     let off = |shifted: bool| -> Vec<f64> {
         let mine = jobs.iter().zip(found);
         mine.filter(|(job, _)| job.seed.is_some() == shifted)
@@ -158,7 +158,7 @@ fn spread(jobs: &[Job], found: &[(f64, f64)], sheet: &mut Sheet) {
 }
 
 /// Between which σ the curve falls, from the even starts.
-fn fall(jobs: &[Job], found: &[(f64, f64)], sheet: &mut Sheet) {
+fn fall(jobs: &[SpacedRun], found: &[(f64, f64)], sheet: &mut Sheet) {
     let mut curve: Vec<(f64, f64)> = jobs
         .iter()
         .zip(found)
@@ -187,7 +187,7 @@ fn fall(jobs: &[Job], found: &[(f64, f64)], sheet: &mut Sheet) {
 }
 
 fn record(
-    jobs: &[Job],
+    jobs: &[SpacedRun],
     found: &[(f64, f64)],
     line: f64,
     sheet: &mut Sheet,
@@ -229,14 +229,14 @@ fn record(
         });
         let points = mine.map(|(job, (eps, _))| (job.sigma(), *eps)).collect();
         let name = format!("{v0} m/s, {contact_time:e} s");
-        series.push(Series::new(name, points).with(Look::Points));
+        series.push(Series::new(name, points).with(SeriesStyle::Points));
     }
     let shifted = jobs.iter().zip(found).filter(|(job, _)| job.seed.is_some());
     let points = shifted.map(|(job, (eps, _))| (job.sigma(), *eps)).collect();
-    series.push(Series::new("shifted at random", points).with(Look::Points));
-    let ends = || jobs.iter().map(Job::sigma);
+    series.push(Series::new("shifted at random", points).with(SeriesStyle::Points));
+    let ends = || jobs.iter().map(SpacedRun::sigma);
     let (low, high) = (smallest(ends()), largest(ends()));
-    series.push(Series::new("ED", vec![(low, line), (high, line)]).with(Look::Line));
+    series.push(Series::new("ED", vec![(low, line), (high, line)]).with(SeriesStyle::Line));
     sheet.plots.push(Plot {
         name: "fig2a".to_owned(),
         title: "Fig. 2(a): N = 10, ε = 0.9".to_owned(),

@@ -1,6 +1,6 @@
 //! Fig. 3: ε_eff over N for three laws of contact.
 
-use super::bench::Bench;
+use super::pool::RunPool;
 use super::runs::{largest, preset, results, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::parameters::Value;
@@ -27,15 +27,15 @@ fn scene(law: usize, n: u64) -> Result<Scene, FigureError> {
     preset(name, Some(method), &[("n", Value::Whole(n))])
 }
 
-pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
-    let lengths = &LENGTHS[..bench.pick(SHORT, LENGTHS.len())];
+pub(super) fn sheet(pool: &mut RunPool) -> Result<Sheet, FigureError> {
+    let lengths = &LENGTHS[..pool.pick(SHORT, LENGTHS.len())];
     // The longest columns first: they take longest.
     let jobs: Vec<(usize, u64)> = lengths
         .iter()
         .rev()
         .flat_map(|&n| (0..LAWS.len()).map(move |law| (law, n)))
         .collect();
-    let found = bench.each(&jobs, |&(law, n)| results(&scene(law, n)?))?;
+    let found = pool.each(&jobs, |&(law, n)| results(&scene(law, n)?))?;
     let curve = |law: usize| -> Vec<(f64, f64)> {
         let all = jobs.iter().zip(&found).rev();
         all.filter(|((l, _), _)| *l == law)

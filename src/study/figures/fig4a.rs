@@ -2,7 +2,7 @@
 
 mod record;
 
-use super::bench::Bench;
+use super::pool::RunPool;
 use super::runs::{crossing, largest, preset, results};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
@@ -48,7 +48,7 @@ const CHECKED: [f64; 3] = [0.1, 1.0, 10.0];
 
 /// A run of a lattice.
 #[derive(Debug, Clone, Copy)]
-struct Job {
+struct LatticeRun {
     rows: u64,
     restitution: f64,
     v0: f64,
@@ -59,7 +59,7 @@ struct Job {
     seed: u64,
 }
 
-impl Job {
+impl LatticeRun {
     /// That of the preset's speed and contact time.
     fn usual(sigma: f64, seed: u64) -> Self {
         Self {
@@ -120,18 +120,18 @@ fn eps(results: &Results) -> f64 {
 
 /// A mean with its standard error and the scatter of single values.
 #[derive(Debug, Clone, Copy)]
-struct Mean {
+struct ScatteredMean {
     value: f64,
     error: f64,
     scatter: f64,
 }
 
-fn mean(values: &[f64]) -> Mean {
+fn mean(values: &[f64]) -> ScatteredMean {
     let n = values.len() as f64;
     let value = values.iter().sum::<f64>() / n;
     let squares: f64 = values.iter().map(|x| math::powi(x - value, 2)).sum();
     let scatter = (squares / (n - 1.0)).sqrt();
-    Mean {
+    ScatteredMean {
         value,
         error: scatter / n.sqrt(),
         scatter,
@@ -146,17 +146,17 @@ struct Point {
     shifted: f64,
 }
 
-pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
-    let jobs = jobs(bench.pick(2, 4), bench.pick(1, 3));
-    let found = bench.each(&jobs, Job::run)?;
-    let curve = curve(bench, &jobs, &found)?;
-    let ends = bench.each(&[false, true], |&column| {
+pub(super) fn sheet(pool: &mut RunPool) -> Result<Sheet, FigureError> {
+    let jobs = jobs(pool.pick(2, 4), pool.pick(1, 3));
+    let found = pool.each(&jobs, LatticeRun::run)?;
+    let curve = curve(pool, &jobs, &found)?;
+    let ends = pool.each(&[false, true], |&column| {
         // Without separation there is nothing to be shifted by.
-        let still = Job::usual(0.0, 1);
+        let still = LatticeRun::usual(0.0, 1);
         if column {
             still.column(None)
         } else {
-            Ok(eps(&Job {
+            Ok(eps(&LatticeRun {
                 steps: 200.0,
                 ..still
             }
@@ -167,14 +167,14 @@ pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
     let limit = limits(&jobs, &found, (ends[0], ends[1]), &mut sheet)?;
     fall(&curve, (ends[0], limit), ends[1], &mut sheet);
     spread(&curve, &mut sheet);
-    others(bench, &mut sheet)?;
-    steps(bench, &mut sheet)?;
+    others(pool, &mut sheet)?;
+    steps(pool, &mut sheet)?;
     record(&jobs, &found, &curve, &mut sheet)?;
     Ok(sheet)
 }
 
 /// Every σ of so many in a decade that a pair's separations reach, with so many seeds.
-fn jobs(in_decade: i32, seeds: u64) -> Vec<Job> {
+fn jobs(in_decade: i32, seeds: u64) -> Vec<LatticeRun> {
     let mut jobs = Vec::new();
     let whole = DECADES.start() * in_decade..=DECADES.end() * in_decade;
     for (v0, contact_time) in PAIRS {
@@ -186,11 +186,11 @@ fn jobs(in_decade: i32, seeds: u64) -> Vec<Job> {
                 continue;
             }
             for _ in 0..seeds {
-                jobs.push(Job {
+                jobs.push(LatticeRun {
                     v0,
                     contact_time,
                     // A seed of its own for every run.
-                    ..Job::usual(sigma, 1 + jobs.len() as u64)
+                    ..LatticeRun::usual(sigma, 1 + jobs.len() as u64)
                 });
             }
         }
@@ -199,13 +199,17 @@ fn jobs(in_decade: i32, seeds: u64) -> Vec<Job> {
 }
 
 /// What all runs at each σ come to.
-fn curve(bench: &mut Bench, jobs: &[Job], found: &[Results]) -> Result<Vec<Point>, FigureError> {
+fn curve(
+    pool: &mut RunPool,
+    jobs: &[LatticeRun],
+    found: &[Results],
+) -> Result<Vec<Point>, FigureError> {
     let mut sigmas: Vec<f64> = jobs.iter().map(|job| job.sigma).collect();
     sigmas.sort_by(f64::total_cmp);
     sigmas.dedup();
-    bench.each(&sigmas, |&sigma| {
+    pool.each(&sigmas, |&sigma| {
         let mine = jobs.iter().zip(found);
-        let twin = Job::usual(sigma, 1);
+        let twin = LatticeRun::usual(sigma, 1);
         let shifted = (1..=8).map(|seed| twin.column(Some(seed)));
         Ok(Point {
             sigma,
@@ -221,13 +225,13 @@ fn curve(bench: &mut Bench, jobs: &[Job], found: &[Results]) -> Result<Vec<Point
 
 /// Both ends of the curve beside those of the column; the lattice's at large σ.
 fn limits(
-    jobs: &[Job],
+    jobs: &[LatticeRun],
     found: &[Results],
     (lattice, column): (f64, f64),
     sheet: &mut Sheet,
 ) -> Result<f64, FigureError> {
     // Of the runs at large σ those with separations in a range, edges by rounding.
-    let hard = |from: f64, to: f64, get: fn(&Results) -> f64| -> Mean {
+    let hard = |from: f64, to: f64, get: fn(&Results) -> f64| -> ScatteredMean {
         let mine = jobs.iter().zip(found);
         let values = mine
             .filter(|(job, _)| job.sigma > HARD && (from..to).contains(&(job.s0() / 1.001)))
@@ -238,7 +242,7 @@ fn limits(
     let widest = 0.99 * SEPARATIONS.1;
     let dense = hard(0.0, DENSE, eps);
     let (wide, wider) = (hard(DENSE, widest, eps), hard(widest, f64::INFINITY, eps));
-    let hard_column = Job::usual(1e3, 1).column(None)?;
+    let hard_column = LatticeRun::usual(1e3, 1).column(None)?;
     sheet.claims.extend([
         Claim::most(
             "sigma = 0: |2D - 1D|",
@@ -353,19 +357,19 @@ fn spread(curve: &[Point], sheet: &mut Sheet) {
 }
 
 /// Other heights and restitutions in the limit of large σ.
-fn others(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
-    let seeds = bench.pick(2, 8);
-    let job = |(rows, restitution), seed| Job {
+fn others(pool: &mut RunPool, sheet: &mut Sheet) -> Result<(), FigureError> {
+    let seeds = pool.pick(2, 8);
+    let job = |(rows, restitution), seed| LatticeRun {
         rows,
         restitution,
         v0: 0.01,
-        ..Job::usual(100.0, seed)
+        ..LatticeRun::usual(100.0, seed)
     };
-    let jobs: Vec<Job> = OTHERS
+    let jobs: Vec<LatticeRun> = OTHERS
         .iter()
         .flat_map(|&other| (1..=seeds).map(move |seed| job(other, seed)))
         .collect();
-    let found = bench.each(&jobs, |job| Ok((eps(&job.run()?), job.column(None)?)))?;
+    let found = pool.each(&jobs, |job| Ok((eps(&job.run()?), job.column(None)?)))?;
     for ((rows, restitution), runs) in OTHERS
         .iter()
         .zip(found.chunks_exact(jobs.len() / OTHERS.len()))
@@ -393,19 +397,19 @@ fn others(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
 }
 
 /// Whether the steps are short enough.
-fn steps(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
-    let (seeds, fine) = (bench.pick(2, 8), bench.pick(2.0, 4.0));
-    let job = |sigma, seed, steps| Job {
+fn steps(pool: &mut RunPool, sheet: &mut Sheet) -> Result<(), FigureError> {
+    let (seeds, fine) = (pool.pick(2, 8), pool.pick(2.0, 4.0));
+    let job = |sigma, seed, steps| LatticeRun {
         steps,
-        ..Job::usual(sigma, seed)
+        ..LatticeRun::usual(sigma, seed)
     };
-    let jobs: Vec<[Job; 2]> = CHECKED
+    let jobs: Vec<[LatticeRun; 2]> = CHECKED
         .iter()
         .flat_map(|&sigma| {
             (1..=seeds).map(move |seed| [1.0, fine].map(|f| job(sigma, seed, f * STEPS)))
         })
         .collect();
-    let found = bench.each(&jobs, |[coarse, fine]| {
+    let found = pool.each(&jobs, |[coarse, fine]| {
         Ok(eps(&coarse.run()?) - eps(&fine.run()?))
     })?;
     let by_sigma = found.chunks_exact(found.len() / CHECKED.len());

@@ -1,12 +1,12 @@
 //! Fig. 4(b): 1 − ε_eff over the height of a lattice without gaps, columns beside it.
 
-use super::bench::Bench;
+use super::pool::RunPool;
 use super::runs::{largest, preset, results};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Column, Table};
 
 /// Heights of the paper, and some of them.
@@ -44,7 +44,7 @@ fn loss(scene: &Scene) -> Result<f64, FigureError> {
 }
 
 /// What is lost at a height: by the lattice, with steps twice as long, and by the column.
-struct Row {
+struct HeightRow {
     restitution: f64,
     height: u64,
     lattice: f64,
@@ -52,7 +52,7 @@ struct Row {
     column: f64,
 }
 
-impl Row {
+impl HeightRow {
     fn run(height: u64, restitution: f64) -> Result<Self, FigureError> {
         let mut values = values(restitution);
         values.push(("n", Value::Whole(height)));
@@ -71,22 +71,27 @@ impl Row {
     }
 }
 
-pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
-    let heights = bench.pick(FEW.to_vec(), HEIGHTS.collect());
+pub(super) fn sheet(pool: &mut RunPool) -> Result<Sheet, FigureError> {
+    let heights = pool.pick(FEW.to_vec(), HEIGHTS.collect());
     let jobs: Vec<(f64, u64)> = RESTITUTIONS
         .iter()
         .flat_map(|&restitution| heights.iter().map(move |&height| (restitution, height)))
         .collect();
-    let rows = bench.each(&jobs, |&(restitution, height)| {
-        Row::run(height, restitution)
+    let rows = pool.each(&jobs, |&(restitution, height)| {
+        HeightRow::run(height, restitution)
     })?;
     let mut sheet = Sheet::default();
     for restitution in RESTITUTIONS {
         let mine = || rows.iter().filter(|row| row.restitution == restitution);
-        let most = |get: fn(&Row) -> f64| largest(mine().map(get));
+        let most = |get: fn(&HeightRow) -> f64| largest(mine().map(get));
         let name = |what| format!("eps {restitution}: {what}");
         sheet.claims.extend([
-            Claim::most(name("most |2D - 1D|"), "similar", most(Row::off), 0.02),
+            Claim::most(
+                name("most |2D - 1D|"),
+                "similar",
+                most(HeightRow::off),
+                0.02,
+            ),
             Claim::most(
                 name("the same over 1D's loss"),
                 "similar",
@@ -112,7 +117,7 @@ pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
          the floor's contact 1 times; that is all that 2D changes."
             .to_owned(),
     );
-    let over_height = |restitution: f64, get: fn(&Row) -> f64| -> Vec<(f64, f64)> {
+    let over_height = |restitution: f64, get: fn(&HeightRow) -> f64| -> Vec<(f64, f64)> {
         let mine = rows.iter().filter(|row| row.restitution == restitution);
         mine.map(|row| (row.height as f64, get(row))).collect()
     };
@@ -120,11 +125,12 @@ pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
     // Points are drawn over what comes before them.
     for restitution in RESTITUTIONS {
         let points = over_height(restitution, |row| row.column);
-        series.push(Series::new(format!("1D, ε = {restitution}"), points).with(Look::Line));
+        series.push(Series::new(format!("1D, ε = {restitution}"), points).with(SeriesStyle::Line));
     }
     for restitution in RESTITUTIONS {
         let points = over_height(restitution, |row| row.lattice);
-        series.push(Series::new(format!("2D, ε = {restitution}"), points).with(Look::Points));
+        series
+            .push(Series::new(format!("2D, ε = {restitution}"), points).with(SeriesStyle::Points));
     }
     sheet.plots.push(Plot {
         name: "fig4b".to_owned(),
@@ -137,7 +143,7 @@ pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
     Ok(sheet)
 }
 
-fn table(rows: &[Row]) -> Result<Table, FigureError> {
+fn table(rows: &[HeightRow]) -> Result<Table, FigureError> {
     let mut data = Table::new(
         "fig4b",
         "Fig. 4(b): loss of a lattice without gaps, and of a column",

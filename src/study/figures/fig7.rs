@@ -1,6 +1,6 @@
 //! Fig. 7: the height of the centre of mass over the strength of shaking.
 
-use super::bench::Bench;
+use super::pool::RunPool;
 use super::runs::{decades, largest, preset, results, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::scene::angular;
@@ -9,7 +9,7 @@ use crate::scene::{Facts, Launch, MethodName, Scene, Start};
 use crate::study::Results;
 use crate::study::accuracy::facts;
 use crate::study::fit::median;
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Column, Table};
 
 /// Plate periods, of which the last nine tenths are averaged: 504 and 9000.
@@ -28,7 +28,7 @@ const LOCKED_PERIODS: f64 = 560.0;
 
 /// How a run starts.
 #[derive(Clone, Copy)]
-enum Begin {
+enum FirstGaps {
     /// One diameter apart, above the plate.
     Apart,
     /// At rest on the plate.
@@ -37,13 +37,13 @@ enum Begin {
 
 /// A run.
 #[derive(Clone, Copy)]
-struct Job {
+struct PlateRun {
     method: MethodName,
     alpha: f64,
-    start: Begin,
+    start: FirstGaps,
 }
 
-impl Job {
+impl PlateRun {
     fn scene(&self, periods: f64) -> Result<Scene, FigureError> {
         let name = match self.method {
             MethodName::Ed => "fig7-ed",
@@ -58,12 +58,12 @@ impl Job {
         // The paper does not say how it starts. From rest a column may find an orbit in
         // which it lands gently, as one body, for ever.
         let start = match self.start {
-            Begin::Apart => Start::Launched(Launch {
+            FirstGaps::Apart => Start::Launched(Launch {
                 s0: plain.diameter,
                 jitter: false,
                 v0: 0.0,
             }),
-            Begin::Rest => Start::Resting,
+            FirstGaps::Rest => Start::Resting,
         };
         Ok(Scene::new(Facts {
             start,
@@ -86,40 +86,40 @@ fn foretold(scene: &Scene) -> f64 {
     resting + 4.0 / 3.0 * speed * speed / gravity * shape / loss
 }
 
-pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
-    let periods = bench.pick(PERIODS.0, PERIODS.1);
-    let mut alphas = decades(WEAKEST, STRONGEST, bench.pick(6, 16));
+pub(super) fn sheet(pool: &mut RunPool) -> Result<Sheet, FigureError> {
+    let periods = pool.pick(PERIODS.0, PERIODS.1);
+    let mut alphas = decades(WEAKEST, STRONGEST, pool.pick(6, 16));
     alphas.push(COMMON);
     alphas.sort_by(f64::total_cmp);
-    let jobs: Vec<Job> = alphas
+    let jobs: Vec<PlateRun> = alphas
         .iter()
         .flat_map(|&alpha| {
-            [MethodName::Exact, MethodName::Ed].map(|method| Job {
+            [MethodName::Exact, MethodName::Ed].map(|method| PlateRun {
                 method,
                 alpha,
-                start: Begin::Apart,
+                start: FirstGaps::Apart,
             })
         })
         .collect();
-    let found = bench.each(&jobs, |job| {
+    let found = pool.each(&jobs, |job| {
         let scene = job.scene(periods)?;
         Ok((results(&scene)?, foretold(&scene)))
     })?;
     let mut sheet = Sheet::default();
     judge(&alphas, &found, &mut sheet);
     record(&jobs, &found, periods, &mut sheet)?;
-    locked(bench, &mut sheet)?;
+    locked(pool, &mut sheet)?;
     Ok(sheet)
 }
 
 /// Columns of hard spheres that start at rest and stay closed.
-fn locked(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
-    let jobs = LOCKED.map(|alpha| Job {
+fn locked(pool: &mut RunPool, sheet: &mut Sheet) -> Result<(), FigureError> {
+    let jobs = LOCKED.map(|alpha| PlateRun {
         method: MethodName::Ed,
         alpha,
-        start: Begin::Rest,
+        start: FirstGaps::Rest,
     });
-    let found = bench.each(&jobs, |job| {
+    let found = pool.each(&jobs, |job| {
         let scene = job.scene(LOCKED_PERIODS)?;
         Ok(height(&results(&scene)?) / foretold(&scene))
     })?;
@@ -199,7 +199,7 @@ fn judge(alphas: &[f64], found: &[(Results, f64)], sheet: &mut Sheet) {
 }
 
 fn record(
-    jobs: &[Job],
+    jobs: &[PlateRun],
     found: &[(Results, f64)],
     periods: f64,
     sheet: &mut Sheet,
@@ -243,9 +243,9 @@ fn record(
         x: Axis::log("α"),
         y: Axis::log("h_cm (m)"),
         series: vec![
-            Series::new("MD, t_c = 1e-4 s", md).with(Look::Points),
-            Series::new("ED", ed).with(Look::Points),
-            Series::new("Eq. (10)", eq).with(Look::Line),
+            Series::new("MD, t_c = 1e-4 s", md).with(SeriesStyle::Points),
+            Series::new("ED", ed).with(SeriesStyle::Points),
+            Series::new("Eq. (10)", eq).with(SeriesStyle::Line),
         ],
     });
     Ok(())

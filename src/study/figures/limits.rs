@@ -18,7 +18,7 @@
 //!
 //! an exponent of −1/2 for every ε. What the ends add falls as N^(−1/2) beside the loss.
 
-use super::bench::Bench;
+use super::pool::RunPool;
 use super::touching::{eps, run, scene};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
@@ -52,14 +52,14 @@ fn duration(restitution: f64) -> f64 {
 }
 
 /// What 1 − ε_eff comes to, for Fig. 2(b), from two lengths.
-pub(super) fn losses(bench: &mut Bench, speed: f64, sheet: &mut Sheet) -> Result<(), FigureError> {
-    let lengths = bench.pick([100, 300], [1000, 3000]);
-    let (short, long) = bench.pick((100, 300), (300, 1000));
+pub(super) fn losses(pool: &mut RunPool, speed: f64, sheet: &mut Sheet) -> Result<(), FigureError> {
+    let lengths = pool.pick([100, 300], [1000, 3000]);
+    let (short, long) = pool.pick((100, 300), (300, 1000));
     // The longest first: they take longest.
     let mut jobs = vec![(WEAK, long), (WEAK, short)];
     jobs.extend(RESTITUTIONS.map(|restitution| (restitution, lengths[1])));
     jobs.extend(RESTITUTIONS.map(|restitution| (restitution, lengths[0])));
-    let found = bench.each(&jobs, |&(restitution, n)| {
+    let found = pool.each(&jobs, |&(restitution, n)| {
         Ok(1.0 - eps(&run(n, restitution, speed)?))
     })?;
     let of = |job: (f64, u64)| {
@@ -129,14 +129,14 @@ pub(super) fn losses(bench: &mut Bench, speed: f64, sheet: &mut Sheet) -> Result
 
 /// What t_k comes to, for Sec. IV A.
 pub(super) fn times(
-    bench: &mut Bench,
+    pool: &mut RunPool,
     speed: f64,
     contact_time: f64,
     sheet: &mut Sheet,
 ) -> Result<(), FigureError> {
     let restitution = 0.9;
-    let n = bench.pick(300, 3000);
-    let found = bench.each(&[n], |&n| run(n, restitution, speed))?;
+    let n = pool.pick(300, 3000);
+    let found = pool.each(&[n], |&n| run(n, restitution, speed))?;
     let touching = |results: &Results| results.contact_duration.unwrap_or(f64::NAN);
     let limit = duration(restitution);
     sheet.claims.push(

@@ -27,8 +27,8 @@
 
 mod theory;
 
-use super::bench::Bench;
 use super::landings::{Landings, dense_share};
+use super::pool::RunPool;
 use super::runs::{largest, looks, preset, smallest};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
@@ -38,7 +38,7 @@ use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
 use crate::study::fit::{median, slope};
 use crate::study::means::{Mean, Means};
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Column, Table};
 use crate::study::vary;
 use theory::density;
@@ -84,7 +84,7 @@ const CURED: f64 = 0.01;
 
 /// A law at a contact time, in the order of [`LAWS`] and [`TIMES`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Job {
+struct LawRun {
     law: usize,
     time: usize,
     /// Periods of which the mean is taken; without, there is the first landing alone.
@@ -99,7 +99,7 @@ struct Found {
     landings: Landings,
 }
 
-impl Job {
+impl LawRun {
     fn scene(&self) -> Result<Scene, FigureError> {
         let linear = [("contact_time", Value::Number(TIMES[self.time]))];
         let scene = preset("fig5b", Some(MethodName::Exact), &linear)?;
@@ -135,22 +135,22 @@ fn run(scene: &Scene, periods: usize) -> Result<Found, FigureError> {
     })
 }
 
-pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
+pub(super) fn sheet(pool: &mut RunPool) -> Result<Sheet, FigureError> {
     let mut jobs = Vec::new();
     // The shortest contacts take longest, and come first.
     for time in (0..TIMES.len()).rev() {
         for law in [KONO, HERTZ, HOOKE] {
-            let (times, periods) = bench.pick(MEANS[law][0], MEANS[law][1]);
+            let (times, periods) = pool.pick(MEANS[law][0], MEANS[law][1]);
             let periods = if time < times { periods } else { 0 };
             if time < FIRSTS[law] {
-                jobs.push(Job { law, time, periods });
+                jobs.push(LawRun { law, time, periods });
             }
         }
     }
-    let found = bench.each(&jobs, |job| run(&job.scene()?, job.periods))?;
+    let found = pool.each(&jobs, |job| run(&job.scene()?, job.periods))?;
     let hard = preset("fig5b", Some(MethodName::Ed), &[])?;
-    let hard_periods = bench.pick(MEANS[HOOKE][0], MEANS[HOOKE][1]).1;
-    let hard = bench.each(&[hard_periods], |&periods| Ok(run(&hard, periods)?.share))?;
+    let hard_periods = pool.pick(MEANS[HOOKE][0], MEANS[HOOKE][1]).1;
+    let hard = pool.each(&[hard_periods], |&periods| Ok(run(&hard, periods)?.share))?;
     let study = Study {
         density: density(&preset("fig5b", Some(MethodName::Exact), &[])?),
         hard: hard[0],
@@ -170,7 +170,7 @@ struct Study {
     /// σ over t_c that theory gives, 1/s.
     density: f64,
     hard: Option<Mean>,
-    jobs: Vec<Job>,
+    jobs: Vec<LawRun>,
     found: Vec<Found>,
 }
 
@@ -305,16 +305,16 @@ impl Study {
         };
         let series = |get: &dyn Fn(usize) -> Vec<(f64, f64)>| -> Vec<Series> {
             let laws = LAWS.iter().enumerate();
-            laws.map(|(law, (name, _))| Series::new(*name, get(law)).with(Look::Points))
+            laws.map(|(law, (name, _))| Series::new(*name, get(law)).with(SeriesStyle::Points))
                 .collect()
         };
         let ends = [smallest(TIMES), largest(TIMES)];
         let mut relative = series(&shares);
         let hard = self.hard.map_or(f64::NAN, |share| share.value);
-        relative.push(Series::new("ED", ends.map(|t| (t, hard)).to_vec()).with(Look::Line));
+        relative.push(Series::new("ED", ends.map(|t| (t, hard)).to_vec()).with(SeriesStyle::Line));
         let mut sigma = series(&|law| self.firsts(law));
         let line = ends.map(|t| (t, self.density * t)).to_vec();
-        sigma.push(Series::new("theory, Hooke", line).with(Look::Line));
+        sigma.push(Series::new("theory, Hooke", line).with(SeriesStyle::Line));
         vec![
             Plot {
                 name: "plateau".to_owned(),
@@ -347,7 +347,7 @@ impl Study {
                 Column::new("dense_share", "", ""),
             ],
         );
-        let shown = Job {
+        let shown = LawRun {
             law: HOOKE,
             time: 2,
             periods: 0,

@@ -1,14 +1,14 @@
 //! Figs. 5 and 6: columns on a plate that vibrates with twice gravity.
 
-use super::bench::Bench;
 use super::landings::{Landing, Landings, alternation, changes, dense_share, return_time};
+use super::pool::RunPool;
 use super::runs::{largest, looks, preset};
 use super::{Claim, FigureError, Sheet};
 use crate::numerals::significant;
 use crate::scene::{MethodName, Scene};
 use crate::study::accuracy::facts;
 use crate::study::fit::median;
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Cell, Column, Table};
 
 /// Periods that are drawn, and that are counted.
@@ -27,7 +27,7 @@ const LEAST_SHOWN: f64 = 1e-8;
 const LOOKS: f64 = 200.0;
 
 /// One look at the column.
-struct Sample {
+struct ShakenLook {
     time: f64,
     floor: f64,
     heights: Vec<f64>,
@@ -38,21 +38,21 @@ struct Sample {
 }
 
 /// What is seen of a run.
-struct Seen {
-    samples: Vec<Sample>,
+struct ShakenRecord {
+    samples: Vec<ShakenLook>,
     landings: Landings,
 }
 
 /// The figure of a preset of that name, of `fig5a` to `fig6b`.
-pub(super) fn sheet(name: &'static str, bench: &mut Bench) -> Result<Sheet, FigureError> {
+pub(super) fn sheet(name: &'static str, pool: &mut RunPool) -> Result<Sheet, FigureError> {
     let method = match name {
         "fig6a" => MethodName::Ed,
         _ => MethodName::Exact,
     };
     let scene = preset(name, Some(method), &[])?;
     let period = scene.period().unwrap_or(f64::NAN);
-    let periods = bench.pick(COUNTED.0, COUNTED.1);
-    let seen = bench.each(&[periods], |&periods| seen(&scene, period, periods))?;
+    let periods = pool.pick(COUNTED.0, COUNTED.1);
+    let seen = pool.each(&[periods], |&periods| seen(&scene, period, periods))?;
     let mut sheet = Sheet::default();
     for seen in &seen {
         match name {
@@ -64,7 +64,7 @@ pub(super) fn sheet(name: &'static str, bench: &mut Bench) -> Result<Sheet, Figu
     Ok(sheet)
 }
 
-fn seen(scene: &Scene, period: f64, periods: f64) -> Result<Seen, FigureError> {
+fn seen(scene: &Scene, period: f64, periods: f64) -> Result<ShakenRecord, FigureError> {
     let mut samples = Vec::new();
     let mut landings = Landings::new(scene.contact_time().unwrap_or(f64::NAN));
     #[expect(
@@ -76,7 +76,7 @@ fn seen(scene: &Scene, period: f64, periods: f64) -> Result<Seen, FigureError> {
     looks(scene, periods * period, count, |seen| {
         let energy = &seen.energy;
         landings.look(seen);
-        samples.push(Sample {
+        samples.push(ShakenLook {
             time: seen.time,
             floor: seen.floor,
             heights: seen.reduced.clone(),
@@ -85,10 +85,10 @@ fn seen(scene: &Scene, period: f64, periods: f64) -> Result<Seen, FigureError> {
             opened: seen.gaps.iter().skip(1).map(|gap| gap.max(0.0)).sum(),
         });
     })?;
-    Ok(Seen { samples, landings })
+    Ok(ShakenRecord { samples, landings })
 }
 
-fn parting(name: &str, scene: &Scene, period: f64, seen: &Seen, sheet: &mut Sheet) {
+fn parting(name: &str, scene: &Scene, period: f64, seen: &ShakenRecord, sheet: &mut Sheet) {
     let contact_time = scene.contact_time().unwrap_or(f64::NAN);
     let (samples, landings) = (&seen.samples, seen.landings.all());
     let count = landings.len();
@@ -157,7 +157,7 @@ fn parting(name: &str, scene: &Scene, period: f64, seen: &Seen, sheet: &mut Shee
     ));
 }
 
-fn clustered(scene: &Scene, samples: &[Sample], sheet: &mut Sheet) {
+fn clustered(scene: &Scene, samples: &[ShakenLook], sheet: &mut Sheet) {
     let opened = largest(samples.iter().map(|s| s.opened)) / scene.diameter;
     let amplitude = largest(samples.iter().map(|s| s.floor));
     let lowest = samples.iter().filter_map(|s| s.heights.first().copied());
@@ -177,11 +177,11 @@ fn clustered(scene: &Scene, samples: &[Sample], sheet: &mut Sheet) {
 /// Names of the beads' columns; the presets have ten.
 const HEIGHTS: [&str; 10] = ["z1", "z2", "z3", "z4", "z5", "z6", "z7", "z8", "z9", "z10"];
 
-fn record(name: &str, scene: &Scene, period: f64, seen: &Seen, sheet: &mut Sheet) {
+fn record(name: &str, scene: &Scene, period: f64, seen: &ShakenRecord, sheet: &mut Sheet) {
     let (samples, landings) = (&seen.samples, seen.landings.all());
     let short = &name[3..];
     sheet.data.push(motion(name, scene, period, samples));
-    let line = |get: &dyn Fn(&Sample) -> f64| -> Vec<(f64, f64)> {
+    let line = |get: &dyn Fn(&ShakenLook) -> f64| -> Vec<(f64, f64)> {
         let drawn = samples.iter().take_while(|s| s.time <= DRAWN * period);
         drawn.map(|s| (s.time / period, 1e3 * get(s))).collect()
     };
@@ -194,7 +194,10 @@ fn record(name: &str, scene: &Scene, period: f64, seen: &Seen, sheet: &mut Sheet
         title: format!("Fig. {short}: reduced heights"),
         x: Axis::linear("t f (periods)"),
         y: Axis::linear("z_i (mm)"),
-        series: series.into_iter().map(|s| s.with(Look::Line)).collect(),
+        series: series
+            .into_iter()
+            .map(|s| s.with(SeriesStyle::Line))
+            .collect(),
     });
     if name == "fig6a" {
         return;
@@ -209,15 +212,15 @@ fn record(name: &str, scene: &Scene, period: f64, seen: &Seen, sheet: &mut Sheet
         x: Axis::linear("t f (periods)"),
         y: Axis::log("E_r/E, σ"),
         series: vec![
-            Series::new("E_r/E", shared.collect()).with(Look::Line),
-            Series::new("σ of a landing", sigma.collect()).with(Look::Points),
+            Series::new("E_r/E", shared.collect()).with(SeriesStyle::Line),
+            Series::new("σ of a landing", sigma.collect()).with(SeriesStyle::Points),
         ],
     });
     sheet.data.push(states(name, scene, landings));
 }
 
 /// The first periods, with all beads.
-fn motion(name: &str, scene: &Scene, period: f64, samples: &[Sample]) -> Table {
+fn motion(name: &str, scene: &Scene, period: f64, samples: &[ShakenLook]) -> Table {
     let mut columns = vec![Column::new("time", "", "s"), Column::new("floor", "", "m")];
     columns.extend(
         HEIGHTS

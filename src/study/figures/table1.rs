@@ -1,7 +1,7 @@
 //! Table I, the appendix, and the materials of Sec. III.
 
-use super::bench::Bench;
 use super::pair::{Hit, hit, law};
+use super::pool::RunPool;
 use super::runs::{decades, largest};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
@@ -44,10 +44,10 @@ const MARKERS: usize = 31;
 /// What is allowed of an exponent, whose law has corrections of the order of 1 − ε.
 const EXPONENT: f64 = 2e-3;
 
-pub(super) fn sheet(bench: &mut Bench) -> Result<Sheet, FigureError> {
+pub(super) fn sheet(pool: &mut RunPool) -> Result<Sheet, FigureError> {
     let mut sheet = Sheet::default();
-    exponents(bench, &mut sheet)?;
-    nearness(bench, &mut sheet)?;
+    exponents(pool, &mut sheet)?;
+    nearness(pool, &mut sheet)?;
     materials(&mut sheet)?;
     sheet.notes.push(
         "A pair is run as one bead against a floor that acts as a second bead (the same \
@@ -67,14 +67,14 @@ fn stiffness(beta: f64) -> f64 {
     }
 }
 
-fn exponents(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
-    let speeds = decades(SPEEDS.0, SPEEDS.1, bench.pick(31, 200));
+fn exponents(pool: &mut RunPool, sheet: &mut Sheet) -> Result<(), FigureError> {
+    let speeds = decades(SPEEDS.0, SPEEDS.1, pool.pick(31, 200));
     let middle = (SPEEDS.0 * SPEEDS.1).sqrt();
     let weak = |exponents: (f64, f64)| law(exponents, stiffness(exponents.0), LOSS / PI, middle);
     let jobs: Vec<(usize, f64)> = (0..ROWS.len())
         .flat_map(|row| speeds.iter().map(move |&speed| (row, speed)))
         .collect();
-    let hits = bench.each(&jobs, |&(row, speed)| hit(weak(ROWS[row].1), speed))?;
+    let hits = pool.each(&jobs, |&(row, speed)| hit(weak(ROWS[row].1), speed))?;
     let mut data = Table::new(
         "table1",
         "Single collisions of a pair, Eq. (8)",
@@ -210,7 +210,7 @@ fn damped(exponents: (f64, f64), restitution: f64) -> Result<(PowerLaw, Hit), Fi
 }
 
 /// Whether (A1) and (A2) hold within 0.1 % "as long as the dissipation is weak (ε > 0.9)".
-fn nearness(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
+fn nearness(pool: &mut RunPool, sheet: &mut Sheet) -> Result<(), FigureError> {
     let restitutions = [0.9, 0.95, 0.99, 0.999];
     let laws = [
         ("Hooke", (0.0, 0.0)),
@@ -220,7 +220,7 @@ fn nearness(bench: &mut Bench, sheet: &mut Sheet) -> Result<(), FigureError> {
     let jobs: Vec<(usize, f64)> = (0..laws.len())
         .flat_map(|k| restitutions.map(|restitution| (k, restitution)))
         .collect();
-    let found = bench.each(&jobs, |&(k, restitution)| damped(laws[k].1, restitution))?;
+    let found = pool.each(&jobs, |&(k, restitution)| damped(laws[k].1, restitution))?;
     let mut data = Table::new(
         "table1-damped",
         "How far damped pairs are off Eqs. (A1) and (A2), at 1 m/s",

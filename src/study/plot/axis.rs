@@ -5,7 +5,7 @@ use crate::math;
 
 /// How numbers are laid out along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
+pub enum AxisScale {
     /// Equal distances are equal differences.
     Linear,
     /// Equal distances are equal ratios; only numbers above 0 have a place.
@@ -18,7 +18,7 @@ pub struct Axis {
     /// What is plotted along it, with its unit.
     pub label: String,
     /// How.
-    pub scale: Scale,
+    pub scale: AxisScale,
 }
 
 /// A mark on an axis.
@@ -35,7 +35,7 @@ impl Axis {
     pub fn linear(label: impl Into<String>) -> Self {
         Self {
             label: label.into(),
-            scale: Scale::Linear,
+            scale: AxisScale::Linear,
         }
     }
 
@@ -43,16 +43,16 @@ impl Axis {
     pub fn log(label: impl Into<String>) -> Self {
         Self {
             label: label.into(),
-            scale: Scale::Log,
+            scale: AxisScale::Log,
         }
     }
 
     /// Where a number is, in the coordinates of the scale; none where it has no place.
     pub(super) fn place(&self, x: f64) -> Option<f64> {
         let place = match self.scale {
-            Scale::Linear => x,
-            Scale::Log if x > 0.0 => math::log10(x),
-            Scale::Log => return None,
+            AxisScale::Linear => x,
+            AxisScale::Log if x > 0.0 => math::log10(x),
+            AxisScale::Log => return None,
         };
         // Beyond that differences of places overflow.
         (place.abs() < 1e300).then_some(place)
@@ -70,13 +70,13 @@ impl Axis {
         }
         // One number alone gets a span of its own size.
         let least = match self.scale {
-            Scale::Log => 1.0,
-            Scale::Linear => (low.abs().max(high.abs()) * 1e-6).max(f64::MIN_POSITIVE * 1e6),
+            AxisScale::Log => 1.0,
+            AxisScale::Linear => (low.abs().max(high.abs()) * 1e-6).max(f64::MIN_POSITIVE * 1e6),
         };
         let room = (0.05 * (high - low)).max(0.5 * (least - (high - low)));
         let (mut from, mut to) = (low - room, high + room);
         // Many quantities begin at 0, and then so does their axis.
-        if self.scale == Scale::Linear && low >= 0.0 && low <= 0.2 * high {
+        if self.scale == AxisScale::Linear && low >= 0.0 && low <= 0.2 * high {
             from = 0.0;
         }
         if from >= to {
@@ -92,12 +92,12 @@ impl Axis {
     pub(super) fn ticks(&self, bounds: Bounds, most: usize) -> Vec<Tick> {
         let most = most.max(2) as f64;
         let step = match self.scale {
-            Scale::Linear => round_step((bounds.high - bounds.low) / most),
-            Scale::Log => ((bounds.high - bounds.low) / most).ceil().max(1.0),
+            AxisScale::Linear => round_step((bounds.high - bounds.low) / most),
+            AxisScale::Log => ((bounds.high - bounds.low) / most).ceil().max(1.0),
         };
         let mut ticks = self.multiples(bounds, step);
         // Less than two decades: 1, 2, 5 within them.
-        if self.scale == Scale::Log && ticks.len() < 3 {
+        if self.scale == AxisScale::Log && ticks.len() < 3 {
             ticks = one_two_five(bounds);
         }
         ticks
@@ -112,8 +112,8 @@ impl Axis {
         while k <= count && k < 100.0 {
             let place = (first + k) * step;
             let label = match self.scale {
-                Scale::Linear => linear_label(place, step),
-                Scale::Log => power_label(1, place),
+                AxisScale::Linear => linear_label(place, step),
+                AxisScale::Log => power_label(1, place),
             };
             ticks.push(Tick { place, label });
             k += 1.0;

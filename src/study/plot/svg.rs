@@ -1,6 +1,6 @@
 //! A plot as an SVG picture, readable on a slide.
 
-use super::{Bounds, Look, Plot};
+use super::{Bounds, Plot, SeriesStyle};
 use std::fmt::Write;
 
 const WIDTH: f64 = 960.0;
@@ -90,7 +90,7 @@ fn series(svg: &mut String, plot: &Plot, k: usize, (x, y): (Bounds, Bounds)) {
         .map(|(a, b)| (across(x.part(a)), up(y.part(b))))
         .collect();
     let _ = writeln!(svg, "<g><title>{}</title>", escaped(&series.name));
-    if series.look != Look::Points && points.len() > 1 {
+    if series.style != SeriesStyle::Points && points.len() > 1 {
         let line: Vec<_> = points
             .iter()
             .map(|(a, b)| format!("{a:.1},{b:.1}"))
@@ -102,7 +102,7 @@ fn series(svg: &mut String, plot: &Plot, k: usize, (x, y): (Bounds, Bounds)) {
             dashes(k)
         );
     }
-    if series.look != Look::Line {
+    if series.style != SeriesStyle::Line {
         for point in points {
             marker(svg, k, point);
         }
@@ -142,7 +142,7 @@ fn legend(svg: &mut String, plot: &Plot) {
         let y = TOP + 12.0 + 28.0 * k as f64;
         let x = WIDTH - RIGHT + 24.0;
         let colour = COLOURS[k % COLOURS.len()];
-        if series.look != Look::Points {
+        if series.style != SeriesStyle::Points {
             let _ = writeln!(
                 svg,
                 "<path d=\"M{:.1} {y:.1}h28\" stroke=\"{colour}\" stroke-width=\"2\"{}/>",
@@ -150,7 +150,7 @@ fn legend(svg: &mut String, plot: &Plot) {
                 dashes(k)
             );
         }
-        if series.look != Look::Line {
+        if series.style != SeriesStyle::Line {
             marker(svg, k, (x, y));
         }
         let _ = writeln!(

@@ -1,7 +1,7 @@
 //! A plot as text.
 
 use super::axis::Tick;
-use super::{Bounds, Look, Plot};
+use super::{Bounds, Plot, SeriesStyle};
 use crate::study::table::wrapped;
 
 /// Markers of series, in their order; told apart without colour.
@@ -150,15 +150,15 @@ fn fill(plot: &Plot, field: &mut Field, (x, y): (Bounds, Bounds)) {
         })
         .collect();
     for (series, parts) in plot.series.iter().zip(&parts) {
-        if series.look != Look::Points {
+        if series.style != SeriesStyle::Points {
             for pair in parts.windows(2) {
                 field.line(pair[0], pair[1]);
             }
         }
     }
     for (k, (series, parts)) in plot.series.iter().zip(&parts).enumerate() {
-        match series.look {
-            Look::Line => mark_line(field, parts, k, plot.series.len()),
+        match series.style {
+            SeriesStyle::Line => mark_line(field, parts, k, plot.series.len()),
             _ => parts.iter().for_each(|&part| field.mark(part, marker(k))),
         }
     }
@@ -242,8 +242,8 @@ fn foot(ticks: &[Tick], bounds: Bounds, margin: usize, columns: usize, ascii: bo
 fn legend(plot: &Plot, width: usize, ascii: bool) -> String {
     let dash = if ascii { "-" } else { "─" };
     let entry = |(k, series): (usize, &super::Series)| {
-        let marker = match series.look {
-            Look::Line => format!("{dash}{}", marker(k)),
+        let marker = match series.style {
+            SeriesStyle::Line => format!("{dash}{}", marker(k)),
             _ => marker(k).to_string(),
         };
         format!("{marker} {}", series.name)

@@ -35,9 +35,9 @@ pub struct Case {
 }
 
 /// Name, base, what differs from it, and whether a quick look includes it.
-type Line = (&'static str, Base, &'static [(&'static str, f64)], bool);
+type CaseRow = (&'static str, Base, &'static [(&'static str, f64)], bool);
 
-const LINES: &[Line] = &[
+const LINES: &[CaseRow] = &[
     ("Fig. 1(b)", Base::Collision, &[], true),
     ("t_c 1e-9", Base::Collision, &[("contact_time", 1e-9)], true),
     ("t_c 1e-2", Base::Collision, &[("contact_time", 1e-2)], true),

@@ -2,8 +2,8 @@
 
 use super::cases::Case;
 use super::reference::{Truth, reference};
-use super::runs::{Ending, distance, run};
-use super::verdict::{Judgement, Verdict, unfinished};
+use super::runs::{RunEnd, distance, run};
+use super::verdict::{CaseVerdict, Judgement, unfinished};
 use crate::scene::parameters::Value;
 use crate::scene::{MethodName, Scene};
 use crate::study::vary;
@@ -19,7 +19,7 @@ pub fn judge(case: &Case, slices: u64, tell: &mut dyn FnMut(&str)) -> Vec<Judgem
         Err(error) => {
             let refused = |method| Judgement {
                 method,
-                verdict: Verdict::Refused(error.to_string()),
+                verdict: CaseVerdict::Refused(error.to_string()),
             };
             return MethodName::ALL.map(refused).into();
         }
@@ -27,7 +27,7 @@ pub fn judge(case: &Case, slices: u64, tell: &mut dyn FnMut(&str)) -> Vec<Judgem
     tell("exact");
     let exact = run(scene, None, slices, None);
     let end = match &exact {
-        Ending::Done { end, .. } => Some(*end),
+        RunEnd::Done { end, .. } => Some(*end),
         _ => None,
     };
     tell("what it is compared with");
@@ -56,23 +56,23 @@ fn other(
     truth: Option<&Truth>,
     slices: u64,
     end: Option<f64>,
-) -> Verdict {
+) -> CaseVerdict {
     let under = match method {
         MethodName::Gear | MethodName::Verlet => on_grid(scene, method, STEPS),
         _ => scene.with_method(method).map_err(|error| error.to_string()),
     };
     let under = match under {
         Ok(under) => under,
-        Err(why) => return Verdict::Refused(why),
+        Err(why) => return CaseVerdict::Refused(why),
     };
     let ending = run(&under, None, slices, end);
-    let (Ending::Done { numbers, .. }, Some(truth)) = (&ending, truth) else {
+    let (RunEnd::Done { numbers, .. }, Some(truth)) = (&ending, truth) else {
         return unfinished(&ending);
     };
     let error = distance(numbers, &truth.numbers);
     match error {
-        _ if !under.is_md() => Verdict::Model(error),
-        _ if error <= truth.allowed => Verdict::Right(error),
-        _ => Verdict::Off(error),
+        _ if !under.is_md() => CaseVerdict::Model(error),
+        _ if error <= truth.allowed => CaseVerdict::Right(error),
+        _ => CaseVerdict::Off(error),
     }
 }

@@ -2,8 +2,8 @@
 //! the linear law is one with β = γ = 0. The two share the scene, and no step.
 
 use super::RIGHT;
-use super::runs::{Ending, Numbers, distance, run};
-use super::verdict::{Verdict, unfinished};
+use super::runs::{Numbers, RunEnd, distance, run};
+use super::verdict::{CaseVerdict, unfinished};
 use crate::scene::{Facts, Law, Method, Scene, Soft, Solver};
 use crate::study::one_ulp_off;
 
@@ -41,19 +41,19 @@ fn adaptive(scene: &Scene, tolerance: f64) -> Option<Scene> {
 /// The verdict on the exact method, and what the others are compared with.
 pub(super) fn reference(
     scene: &Scene,
-    exact: &Ending,
+    exact: &RunEnd,
     slices: u64,
     end: Option<f64>,
-) -> (Verdict, Option<Truth>) {
-    let numbers_of = |ending: Ending| match ending {
-        Ending::Done { numbers, .. } => Some(numbers),
+) -> (CaseVerdict, Option<Truth>) {
+    let numbers_of = |ending: RunEnd| match ending {
+        RunEnd::Done { numbers, .. } => Some(numbers),
         _ => None,
     };
     let by_adaptive = |tolerance: f64| {
         let other = adaptive(scene, tolerance)?;
         numbers_of(run(&other, None, PATIENCE * slices, end))
     };
-    let Ending::Done { numbers, .. } = exact else {
+    let RunEnd::Done { numbers, .. } = exact else {
         let truth = by_adaptive(TOLERANCE).map(|numbers| Truth {
             numbers,
             allowed: RIGHT,
@@ -64,18 +64,18 @@ pub(super) fn reference(
     let bits = numbers_of(near).map(|near| distance(&near, numbers));
     let several_bits = LAST_BITS * bits.unwrap_or(0.0);
     let verdict = match by_adaptive(TOLERANCE) {
-        None => Verdict::Ran(bits),
+        None => CaseVerdict::Ran(bits),
         Some(other) => {
             let error = distance(&other, numbers);
             // A run of less tolerance shows how far the adaptive method itself is off.
             let blurred =
                 || by_adaptive(LOOSER).is_some_and(|loose| error <= distance(&loose, &other));
             if error <= SURE.max(several_bits) || (error <= RIGHT && blurred()) {
-                Verdict::Confirmed { error, bits }
+                CaseVerdict::Confirmed { error, bits }
             } else if blurred() {
-                Verdict::Ran(bits)
+                CaseVerdict::Ran(bits)
             } else {
-                Verdict::Off(error)
+                CaseVerdict::Off(error)
             }
         }
     };

@@ -13,7 +13,7 @@ pub(super) type Numbers = Vec<f64>;
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Ending {
+pub(super) enum RunEnd {
     /// It came to its end.
     Done { numbers: Numbers, end: f64 },
     /// Its work was spent; the whole run would take so long, s on an ordinary machine,
@@ -30,7 +30,7 @@ pub(super) fn run(
     from: Option<Box<dyn Engine>>,
     slices: u64,
     end: Option<f64>,
-) -> Ending {
+) -> RunEnd {
     let allowance = Allowance {
         slices,
         end: scene.duration.or(end),
@@ -43,16 +43,16 @@ pub(super) fn run(
         None => collision(&mut drive, scene),
     };
     match followed {
-        Ok(numbers) => Ending::Done {
+        Ok(numbers) => RunEnd::Done {
             numbers,
             end: drive.time(),
         },
-        Err(RunError::Stopped { time }) => Ending::Slow {
+        Err(RunError::Stopped { time }) => RunEnd::Slow {
             needed: allowance
                 .needed(drive.spent(), time)
                 .map(|slices| slices * SLICE),
         },
-        Err(RunError::Engine(error)) => Ending::Broken { error },
+        Err(RunError::Engine(error)) => RunEnd::Broken { error },
     }
 }
 

@@ -1,11 +1,11 @@
 //! What became of a method on a case, in words.
 
-use super::runs::Ending;
+use super::runs::RunEnd;
 use crate::scene::MethodName;
 
 /// What became of a method on a case.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
+pub enum CaseVerdict {
     /// Its relative error is small enough.
     Right(f64),
     /// It is the exact method, and an independent one comes so near.
@@ -36,10 +36,10 @@ pub struct Judgement {
     /// The method.
     pub method: MethodName,
     /// What became of it.
-    pub verdict: Verdict,
+    pub verdict: CaseVerdict,
 }
 
-impl Verdict {
+impl CaseVerdict {
     /// In at most 12 characters.
     pub fn short(&self) -> String {
         match self {
@@ -91,10 +91,10 @@ fn brief(x: f64) -> String {
 }
 
 /// The verdict where there is nothing to compare.
-pub(super) fn unfinished(ending: &Ending) -> Verdict {
+pub(super) fn unfinished(ending: &RunEnd) -> CaseVerdict {
     match ending {
-        Ending::Done { .. } => Verdict::Ran(None),
-        Ending::Slow { needed } => Verdict::Slow(*needed),
-        Ending::Broken { error } => Verdict::Breaks(error.time(), error.to_string()),
+        RunEnd::Done { .. } => CaseVerdict::Ran(None),
+        RunEnd::Slow { needed } => CaseVerdict::Slow(*needed),
+        RunEnd::Broken { error } => CaseVerdict::Breaks(error.time(), error.to_string()),
     }
 }

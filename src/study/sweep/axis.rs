@@ -9,7 +9,7 @@ use crate::study::sweep::MOST_ROWS;
 
 /// A parameter and the values that it takes one after another.
 #[derive(Debug, Clone)]
-pub struct Axis {
+pub struct SweepAxis {
     /// The parameter.
     pub parameter: &'static Parameter,
     /// At least two values, all allowed and no two alike.
@@ -61,7 +61,7 @@ pub enum AxisError {
     },
 }
 
-impl Axis {
+impl SweepAxis {
     /// Reads `name=start:end:count`, `name=start:end:log:count` or `name=a,b,c`.
     /// Whole numbers of a range are rounded, and those that fall together are taken once.
     ///
@@ -186,12 +186,12 @@ mod tests {
     use super::*;
 
     fn values(text: &str) -> Vec<String> {
-        let axis = Axis::parse(text).expect("a range");
+        let axis = SweepAxis::parse(text).expect("a range");
         axis.values.iter().map(Value::to_string).collect()
     }
 
     fn refused(text: &str) -> String {
-        Axis::parse(text).expect_err(text).to_string()
+        SweepAxis::parse(text).expect_err(text).to_string()
     }
 
     #[test]

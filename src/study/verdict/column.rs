@@ -33,10 +33,10 @@ pub(super) enum Missing {
 }
 
 /// Of a period: dense landings, and all.
-type Landings = (u64, u64);
+type LandingCount = (u64, u64);
 
 /// A column on its way.
-pub(super) struct Column {
+pub(super) struct FollowedColumn {
     scene: Scene,
     /// Its beads, in words.
     whose: &'static str,
@@ -44,13 +44,13 @@ pub(super) struct Column {
     seen: Observation,
     means: Means,
     looks: f64,
-    landings: Vec<Landings>,
+    landings: Vec<LandingCount>,
     /// Slices of work so far, and allowed.
     work: f64,
     allowed: u64,
 }
 
-impl Column {
+impl FollowedColumn {
     /// A column of beads that are called so, and the slices of work that it may take.
     pub fn new(scene: Scene, whose: &'static str, allowed: u64) -> Self {
         let (engine, mut seen) = (build(&scene, None).0, Observation::default());
@@ -207,9 +207,9 @@ impl Column {
     }
 
     /// Dense landings and all of them.
-    fn landings(&self) -> Landings {
+    fn landings(&self) -> LandingCount {
         let settled = self.landings.get(self.settled()).unwrap_or_default();
-        let add = |sum: Landings, period: &Landings| (sum.0 + period.0, sum.1 + period.1);
+        let add = |sum: LandingCount, period: &LandingCount| (sum.0 + period.0, sum.1 + period.1);
         settled.iter().fold((0, 0), add)
     }
 

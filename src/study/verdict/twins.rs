@@ -1,6 +1,6 @@
 //! The scene's soft column and the same column of hard spheres, side by side.
 
-use super::column::{Column, Missing, SLICES};
+use super::column::{FollowedColumn, Missing, SLICES};
 use super::{Compared, LIKELY, SURE, Verdict, decide};
 use crate::scene::{CollisionRule, Facts, Method, MethodName, Scene, SceneError, Shake};
 use crate::study::{RunError, Watch};
@@ -47,7 +47,7 @@ pub fn verdict(scene: &Scene, watch: &mut Watch) -> Result<Verdict, RunError> {
 
 /// The soft column under the exact method (hard spheres with the TC rule stay what they
 /// are), and the same column of plain hard spheres; however short the scene's own run.
-pub(super) fn columns(scene: &Scene, allowed: u64) -> Result<[Column; 2], SceneError> {
+pub(super) fn columns(scene: &Scene, allowed: u64) -> Result<[FollowedColumn; 2], SceneError> {
     let soft = if scene.is_md() {
         scene.with_method(MethodName::Exact)?
     } else {
@@ -58,15 +58,15 @@ pub(super) fn columns(scene: &Scene, allowed: u64) -> Result<[Column; 2], SceneE
         ..scene.facts().clone()
     };
     Ok([
-        Column::new(soft, "soft contacts", allowed),
-        Column::new(Scene::new(hard)?, "hard spheres", allowed),
+        FollowedColumn::new(soft, "soft contacts", allowed),
+        FollowedColumn::new(Scene::new(hard)?, "hard spheres", allowed),
     ])
 }
 
 /// A floor collision without gravity: ε_eff of both.
 fn launched(
     scene: &Scene,
-    [soft, hard]: &mut [Column; 2],
+    [soft, hard]: &mut [FollowedColumn; 2],
     watch: &mut Watch,
 ) -> Result<Verdict, Missing> {
     let found = [soft.collide(watch)?, hard.collide(watch)?];
@@ -77,7 +77,7 @@ fn launched(
 }
 
 /// A column that falls on a floor at rest: ε_eff of the last bounce, when all are at rest.
-fn falling([soft, hard]: &mut [Column; 2], watch: &mut Watch) -> Result<Verdict, Missing> {
+fn falling([soft, hard]: &mut [FollowedColumn; 2], watch: &mut Watch) -> Result<Verdict, Missing> {
     let found = [soft.settle(watch)?, hard.settle(watch)?];
     let compared = [Compared::eps_eff("eps_eff of the last bounce", found)];
     let more = "; the beads touch in the end, where sigma -> 0 at any t_c";
@@ -92,7 +92,7 @@ fn falling([soft, hard]: &mut [Column; 2], watch: &mut Watch) -> Result<Verdict,
 /// spent.
 fn shaken(
     amplitude: f64,
-    [soft, hard]: &mut [Column; 2],
+    [soft, hard]: &mut [FollowedColumn; 2],
     watch: &mut Watch,
 ) -> Result<Verdict, Missing> {
     let mut periods = FIRST_PERIODS;

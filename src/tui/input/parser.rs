@@ -80,7 +80,7 @@ impl Parser {
             }
             self.take(byte);
             // An answer in its midst does not make a paste last.
-            if self.listener.heard != Heard::Receipt && self.pending == Pending::Nothing {
+            if self.listener.last_byte != LastByte::Receipt && self.pending == Pending::Nothing {
                 self.pasted = now;
             }
         }
@@ -150,17 +150,19 @@ impl Parser {
             self.listener.skip = 0;
             self.listener.third = false;
         }
-        self.listener.heard = Heard::Nothing;
+        self.listener.last_byte = LastByte::Nothing;
         self.grammar.advance(&mut self.listener, &[byte]);
-        self.pending = match (self.listener.heard, self.pending) {
-            (Heard::String, _) if byte == ESC => Pending::End,
+        self.pending = match (self.listener.last_byte, self.pending) {
+            (LastByte::String, _) if byte == ESC => Pending::End,
             _ if byte == ESC => Pending::Escape,
-            (Heard::Introducer, _) | (Heard::Nothing, Pending::Escape) => Pending::Introduced(byte),
-            (Heard::Nothing, Pending::Introduced(_) | Pending::Open | Pending::End) => {
+            (LastByte::Introducer, _) | (LastByte::Nothing, Pending::Escape) => {
+                Pending::Introduced(byte)
+            }
+            (LastByte::Nothing, Pending::Introduced(_) | Pending::Open | Pending::End) => {
                 Pending::Open
             }
             // A control character acts in the midst of a sequence, and ends none.
-            (Heard::Control, pending) => pending,
+            (LastByte::Control, pending) => pending,
             _ => Pending::Nothing,
         };
     }
@@ -168,7 +170,7 @@ impl Parser {
 
 /// What the last byte did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum Heard {
+enum LastByte {
     /// It was taken in.
     #[default]
     Nothing,
@@ -188,7 +190,7 @@ enum Heard {
 #[derive(Default)]
 struct Listener {
     said: Vec<Said>,
-    heard: Heard,
+    last_byte: LastByte,
     /// The text that is being pasted.
     paste: Option<String>,
     /// So many characters still belong to a sequence that the grammar does not know.
@@ -298,7 +300,7 @@ fn lettered(letter: char) -> Option<KeyCode> {
 
 impl Perform for Listener {
     fn print(&mut self, c: char) {
-        self.heard = Heard::Something;
+        self.last_byte = LastByte::Something;
         if let Some(text) = &mut self.paste {
             if text.len() < LONGEST_PASTE {
                 text.push(c);
@@ -317,7 +319,7 @@ impl Perform for Listener {
     }
 
     fn execute(&mut self, byte: u8) {
-        self.heard = Heard::Control;
+        self.last_byte = LastByte::Control;
         if let Some(text) = &mut self.paste {
             if text.len() < LONGEST_PASTE {
                 text.push(char::from(byte));
@@ -337,7 +339,7 @@ impl Perform for Listener {
     }
 
     fn csi_dispatch(&mut self, params: &Params, intermediates: &[u8], _: bool, last: char) {
-        self.heard = Heard::Something;
+        self.last_byte = LastByte::Something;
         let mut params = params.iter();
         let first = params.next().unwrap_or(&[]);
         let number = first.first().copied().unwrap_or(0);
@@ -348,7 +350,7 @@ impl Perform for Listener {
         }
         // 0: ready; 3: a malfunction, but of a terminal that has read so far.
         if last == 'n' && matches!(number, 0 | 3) {
-            self.heard = Heard::Receipt;
+            self.last_byte = LastByte::Receipt;
             self.said.push(Said::Receipt);
             return;
         }
@@ -382,12 +384,12 @@ impl Perform for Listener {
     }
 
     fn esc_dispatch(&mut self, _: &[u8], _: bool, byte: u8) {
-        self.heard = Heard::Something;
+        self.last_byte = LastByte::Something;
         match byte {
             _ if self.paste.is_some() => {}
             b'O' => {
                 self.third = true;
-                self.heard = Heard::Introducer;
+                self.last_byte = LastByte::Introducer;
             }
             // The end of a string.
             b'\\' => {}
@@ -396,11 +398,11 @@ impl Perform for Listener {
     }
 
     fn osc_dispatch(&mut self, _: &[&[u8]], _: bool) {
-        self.heard = Heard::String;
+        self.last_byte = LastByte::String;
     }
 
     fn unhook(&mut self) {
-        self.heard = Heard::String;
+        self.last_byte = LastByte::String;
     }
 }
 

@@ -18,7 +18,7 @@
 
 use ratatui::layout::Rect;
 
-use super::{AXIS, Lattice, Layout, PARAMETERS, Panels, Rows, SIGMA};
+use super::{AXIS, LatticeShape, Layout, PARAMETERS, Panels, Rows, SIGMA};
 use super::{column_width, panel_height};
 
 /// Columns of the discs at 80 columns: thirteen discs of four dots.
@@ -45,7 +45,7 @@ pub(super) fn place(
     layout: &mut Layout,
     mut rows: Rows,
     height: u16,
-    lattice: Lattice,
+    lattice: LatticeShape,
     sides: usize,
 ) {
     let width = rows.0.width;
@@ -83,7 +83,7 @@ pub(super) fn place(
 
 /// Columns of the discs: as many as they need when they have their share of the height, if
 /// the panels have theirs.
-fn discs_width(body: Rect, lattice: Lattice) -> u16 {
+fn discs_width(body: Rect, lattice: LatticeShape) -> u16 {
     let most = (body.width * 2 / 5)
         .min(body.width.saturating_sub(SIGMA + PARAMETERS + 2))
         .max(DISCS.min(body.width / 2));

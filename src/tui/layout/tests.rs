@@ -38,7 +38,7 @@ fn all(layout: &Layout) -> Vec<Rect> {
 fn nothing_overlaps_and_nothing_leaves_the_screen() {
     for (width, height) in (1..130).flat_map(|w| (1..60).map(move |h| (w, h))) {
         let lattices = [(10, 13), (1, 1), (300, 2)].map(|(rows, columns)| {
-            let lattice = Some(Lattice { rows, columns });
+            let lattice = Some(LatticeShape { rows, columns });
             (2, u16::from(rows == 1), lattice)
         });
         let columns = [(1, 0), (2, 0), (1, 1), (2, 3)].map(|(s, n)| (s, n, None));
@@ -95,7 +95,7 @@ fn everything_needed_to_teach_fits_80_by_24() {
 #[test]
 fn a_lattice_has_discs_traces_and_panels_at_80_by_24() {
     let contents = Contents {
-        lattice: Some(Lattice {
+        lattice: Some(LatticeShape {
             rows: 10,
             columns: 13,
         }),
@@ -120,7 +120,7 @@ fn a_lattice_has_discs_traces_and_panels_at_80_by_24() {
 /// Wherever there are ten rows the verdict stands in the σ panel or in a row, not in both.
 #[test]
 fn the_verdict_has_its_place_on_small_screens() {
-    let lattice = Some(Lattice {
+    let lattice = Some(LatticeShape {
         rows: 10,
         columns: 13,
     });

@@ -1,14 +1,14 @@
 //! The page on the screen: its samples, its vertical scale, its turn.
 
 use super::scale::Scale;
-use crate::live::{History, Row, Sample, Sweep};
+use crate::live::{ColumnSample, History, Sample, Sampling};
 use crate::scene::{Launch, Scene, Shake};
 
 /// Everything the traces are drawn from.
 #[derive(Debug, Clone)]
 pub struct Page {
     /// Length and sampling of the page.
-    pub sweep: Sweep,
+    pub sweep: Sampling,
     /// Samples of this page, and those of the last one that are not written over.
     pub samples: History,
     /// Vertical scale of the traces.
@@ -24,7 +24,7 @@ const LEAST: f64 = 0.01;
 
 impl Page {
     /// An empty page for these scenes.
-    pub fn new(sweep: Sweep, scenes: &[Scene]) -> Page {
+    pub fn new(sweep: Sampling, scenes: &[Scene]) -> Page {
         let scale = expected(scenes, sweep.span);
         Page {
             sweep,
@@ -57,7 +57,7 @@ impl Page {
 
     /// Another sampling of the page, or one of another length; what was drawn before
     /// it begins is forgotten.
-    pub fn set_sweep(&mut self, sweep: Sweep) {
+    pub fn set_sweep(&mut self, sweep: Sampling) {
         if sweep.span.to_bits() != self.sweep.span.to_bits() {
             self.samples.forget_before(sweep.origin);
         }
@@ -116,7 +116,7 @@ impl Page {
 fn extent<'a>(samples: impl Iterator<Item = &'a Sample>) -> Option<(f64, f64)> {
     let heights = samples
         .flat_map(|sample| sample.rows.iter().flatten())
-        .flat_map(|row: &Row| row.reduced.iter().chain([&row.floor]))
+        .flat_map(|row: &ColumnSample| row.reduced.iter().chain([&row.floor]))
         .copied()
         .filter(|z| z.is_finite());
     let (low, high) = heights.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), z| {
@@ -154,7 +154,7 @@ mod tests {
     use super::*;
 
     fn page() -> Page {
-        let sweep = Sweep {
+        let sweep = Sampling {
             origin: 0.0,
             span: 1.0,
             columns: 10,

@@ -3,7 +3,7 @@
 use super::Model;
 use crate::scene::Scene;
 use crate::tui::caption::{text_width, texts, turns};
-use crate::tui::layout::{Contents, Lattice};
+use crate::tui::layout::{Contents, LatticeShape};
 use ratatui::layout::Rect;
 
 /// A line about one of the columns.
@@ -64,7 +64,7 @@ pub(super) fn contents(scenes: &[Scene]) -> Contents {
     let sites = scenes.first().and_then(|scene| scene.sites());
     Contents {
         sides: scenes.len(),
-        lattice: sites.map(|sites| Lattice {
+        lattice: sites.map(|sites| LatticeShape {
             rows: sites.rows,
             columns: sites.columns,
         }),

@@ -15,7 +15,7 @@ use crate::tui::text::{columns, line};
 use crate::tui::theme::Theme;
 
 /// A row of the axis, counted from its top, and what stands there.
-type Label = (u16, String);
+type HeightLabel = (u16, String);
 
 /// Draws the axis.
 pub fn render(theme: Theme, scale: &Scale, area: Rect, buffer: &mut Buffer) {
@@ -25,7 +25,7 @@ pub fn render(theme: Theme, scale: &Scale, area: Rect, buffer: &mut Buffer) {
 }
 
 /// The labels of the ticks on an axis of so many rows and columns, from the top down.
-fn labels(scale: &Scale, rows: u16, width: u16) -> Vec<Label> {
+fn labels(scale: &Scale, rows: u16, width: u16) -> Vec<HeightLabel> {
     if rows == 0 {
         return Vec::new();
     }
@@ -70,7 +70,7 @@ fn placed(scale: &Scale, rows: u16) -> Vec<(u16, f64)> {
     placed
 }
 
-fn labelled(ticks: &[(u16, f64)], number: impl Fn(f64) -> String) -> Vec<Label> {
+fn labelled(ticks: &[(u16, f64)], number: impl Fn(f64) -> String) -> Vec<HeightLabel> {
     let label = |&(row, tick): &(u16, f64)| (row, number(tick));
     ticks.iter().map(label).collect()
 }
@@ -96,7 +96,12 @@ fn power_of_ten(x: f64) -> String {
 
 /// Writes the unit behind the highest label that has room for it, or else into a row
 /// without one.
-fn with_unit(mut labels: Vec<Label>, unit: &str, rows: u16, width: u16) -> Option<Vec<Label>> {
+fn with_unit(
+    mut labels: Vec<HeightLabel>,
+    unit: &str,
+    rows: u16,
+    width: u16,
+) -> Option<Vec<HeightLabel>> {
     let fits = |label: &str, apart| columns(label) + columns(apart) + columns(unit) <= width;
     for (_, label) in &mut labels {
         if let Some(apart) = [" ", ""].into_iter().find(|apart| fits(label, apart)) {

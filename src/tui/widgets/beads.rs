@@ -31,7 +31,7 @@ pub struct Beads<'a> {
 }
 
 /// How heights become dots: a bead takes `bead` dots, a metre of gap `gap` dots.
-struct Drawing {
+struct BeadDots {
     bead: i32,
     gap: f64,
     bottom: f64,
@@ -68,7 +68,7 @@ impl Beads<'_> {
         line(self.theme, buffer, below, 0).right(&text, self.theme.quiet());
     }
 
-    fn drawing(&self, raster: &Raster, count: usize) -> Drawing {
+    fn drawing(&self, raster: &Raster, count: usize) -> BeadDots {
         let height = raster.height();
         let count = i32::try_from(count).unwrap_or(i32::MAX).max(1);
         #[expect(clippy::cast_possible_truncation, reason = "less than the height")]
@@ -76,14 +76,14 @@ impl Beads<'_> {
         // Beads too many to be drawn are drawn as points, as the traces draw them.
         let bead = (share / count).min(14).min(raster.width());
         let rest = f64::from(height - bead * count - 2).max(4.0);
-        Drawing {
+        BeadDots {
             bead,
             gap: rest / (self.scale.top() - self.scale.bottom()),
             bottom: self.scale.bottom(),
         }
     }
 
-    fn draw_plate(&self, raster: &mut Raster, drawing: &Drawing, floor: f64) {
+    fn draw_plate(&self, raster: &mut Raster, drawing: &BeadDots, floor: f64) {
         let surface = raster.height() - 1 - drawing.dots(floor);
         let right = raster.width() - 1;
         raster.line((0, surface), (right, surface), self.theme.plate());
@@ -105,7 +105,7 @@ impl Beads<'_> {
     }
 }
 
-impl Drawing {
+impl BeadDots {
     /// Dots from the lower edge to a height, m.
     fn dots(&self, height: f64) -> i32 {
         let dots = ((height - self.bottom) * self.gap).round();

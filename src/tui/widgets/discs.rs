@@ -26,7 +26,7 @@ const CHARACTERS: i32 = 6;
 const OUTLINED: i32 = 3;
 
 /// The discs of one lattice where they are now.
-pub struct Plane<'a> {
+pub struct LatticePicture<'a> {
     /// What is seen of the lattice.
     pub side: &'a Side,
     /// Where its beads belong.
@@ -40,7 +40,7 @@ pub struct Plane<'a> {
 }
 
 /// How metres become dots.
-struct Drawing {
+struct DiscDots {
     /// Diameter of a disc, dots.
     disc: i32,
     /// Distance of two rows that touch, dots.
@@ -53,13 +53,13 @@ struct Drawing {
 }
 
 /// A disc on the raster: its left and its upper edge, and whether it touches another.
-struct Place {
+struct PlacedDisc {
     left: i32,
     top: i32,
     touches: bool,
 }
 
-impl Plane<'_> {
+impl LatticePicture<'_> {
     /// Draws into the area; its last row takes the scale.
     pub fn render(&self, area: Rect, buffer: &mut Buffer) {
         let Some(discs) = &self.side.seen.discs else {
@@ -73,7 +73,7 @@ impl Plane<'_> {
         let mut raster = Raster::new(plane);
         let drawing = self.drawing(&raster);
         self.draw_floor(&mut raster);
-        let (touching, free): (Vec<Place>, Vec<Place>) = self
+        let (touching, free): (Vec<PlacedDisc>, Vec<PlacedDisc>) = self
             .places(discs, &drawing, &raster)
             .partition(|place| place.touches);
         // A cell has one colour: that of the contacts, if it has any.
@@ -98,7 +98,7 @@ impl Plane<'_> {
         }
     }
 
-    fn drawing(&self, raster: &Raster) -> Drawing {
+    fn drawing(&self, raster: &Raster) -> DiscDots {
         let (rows, columns) = (self.sites.rows as f64, self.sites.columns as f64);
         let (width, height) = (f64::from(raster.width()), room(raster));
         let rows_high = 1.0 + ROW * (rows - 1.0);
@@ -114,7 +114,7 @@ impl Plane<'_> {
         let gap = gap_of(pitch).max(0.0);
         let period = (columns * (disc + gap * self.sites.separation)).min(width);
         let period = whole(period).max(1);
-        Drawing {
+        DiscDots {
             disc: whole(disc),
             row: ROW * pitch,
             gap,
@@ -127,9 +127,9 @@ impl Plane<'_> {
     fn places<'a>(
         &'a self,
         discs: &'a Discs,
-        drawing: &'a Drawing,
+        drawing: &'a DiscDots,
         raster: &Raster,
-    ) -> impl Iterator<Item = Place> + 'a {
+    ) -> impl Iterator<Item = PlacedDisc> + 'a {
         let (columns, height) = (self.sites.columns, room(raster));
         let across = f64::from(drawing.period) / self.sites.period();
         let reduced = &self.side.seen.reduced;
@@ -137,7 +137,7 @@ impl Plane<'_> {
         beads.map(move |(k, ((&x, &z), &touches))| {
             let site = self.sites.x(k);
             let foot = drawing.row * (k / columns) as f64 + drawing.gap * z;
-            Place {
+            PlacedDisc {
                 left: whole(across * site + drawing.gap * (x - site)),
                 top: whole(height - foot) - drawing.disc,
                 touches,
@@ -154,7 +154,7 @@ impl Plane<'_> {
     }
 
     /// The scale of the gaps, and how contacts are told.
-    fn explain(&self, drawing: &Drawing, characters: bool, area: Rect, buffer: &mut Buffer) {
+    fn explain(&self, drawing: &DiscDots, characters: bool, area: Rect, buffer: &mut Buffer) {
         let touching = match drawing.disc {
             _ if characters => "@ touching",
             OUTLINED.. => "filled: touching",
@@ -175,7 +175,7 @@ fn room(raster: &Raster) -> f64 {
 }
 
 /// Draws discs, those that touch filled, the others as outlines.
-fn stamp(places: &[Place], drawing: &Drawing, style: Style, raster: &mut Raster) {
+fn stamp(places: &[PlacedDisc], drawing: &DiscDots, style: Style, raster: &mut Raster) {
     let dots = [false, true].map(|filled| dots(drawing.disc, filled));
     for place in places {
         for (x, y) in &dots[usize::from(place.touches)] {
@@ -186,7 +186,7 @@ fn stamp(places: &[Place], drawing: &Drawing, style: Style, raster: &mut Raster)
 }
 
 /// Writes discs as characters.
-fn spell(places: &[Place], drawing: &Drawing, style: Style, area: Rect, buffer: &mut Buffer) {
+fn spell(places: &[PlacedDisc], drawing: &DiscDots, style: Style, area: Rect, buffer: &mut Buffer) {
     for place in places {
         let middle = place.left + drawing.disc / 2;
         let dot = middle.rem_euclid(drawing.period) + drawing.margin;

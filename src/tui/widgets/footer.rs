@@ -6,7 +6,7 @@ use ratatui::style::Style;
 
 use super::menu::render_turn;
 use super::{accuracy, past};
-use crate::tui::caption::{Text, Turn, text_width, texts, turns};
+use crate::tui::caption::{CaptionPart, Text, text_width, texts, turns};
 use crate::tui::keys::{BINDINGS, Hint};
 use crate::tui::layout::Layout;
 use crate::tui::model::{Model, Notice};
@@ -44,7 +44,7 @@ pub fn render_message(model: &Model, layout: &Layout, buffer: &mut Buffer) {
         (None, Some(notice)) => accuracy::render_notice(model, notice, area, 0, buffer),
         _ => {
             let turns = turns(theme, &told(model, layout), text_width(area), area.height);
-            if let Some(Turn { label, lines }) = model.reading.due(&turns) {
+            if let Some(CaptionPart { label, lines }) = model.reading.due(&turns) {
                 render_turn(theme, label, lines, area, 0, buffer);
             }
         }

@@ -105,7 +105,7 @@ const INDENT: u16 = 2;
 
 /// A line of the help: a word, and what it stands for, from a column on.
 #[derive(Debug)]
-struct Entry {
+struct HelpLine {
     word: String,
     start: u16,
     text: String,
@@ -136,7 +136,7 @@ pub fn render(model: &Model, scrolled: u16, area: Rect, buffer: &mut Buffer) {
         .unwrap_or(u16::MAX)
         .saturating_sub(body.height);
     let shown = lines.iter().skip(usize::from(scrolled.min(last)));
-    for (row, Entry { word, start, text }) in (0..body.height).zip(shown) {
+    for (row, HelpLine { word, start, text }) in (0..body.height).zip(shown) {
         line(theme, buffer, body, row)
             .skip(1)
             .put(word, theme.strong());
@@ -153,7 +153,7 @@ const APART: u16 = 2;
 
 /// The lines of the help, for a screen of that width. Words too long for a column beside
 /// the texts have lines of their own.
-fn content(model: &Model, width: u16) -> Vec<Entry> {
+fn content(model: &Model, width: u16) -> Vec<HelpLine> {
     let theme = model.theme;
     let preset = &model.preset;
     let texts = [
@@ -174,7 +174,8 @@ fn content(model: &Model, width: u16) -> Vec<Entry> {
     let beside = longest.max().unwrap_or(INDENT);
     let room = width.saturating_sub(beside + 1).max(1);
     let mut lines = Vec::new();
-    let mut add = |word: String, start: u16, text: String| lines.push(Entry { word, start, text });
+    let mut add =
+        |word: String, start: u16, text: String| lines.push(HelpLine { word, start, text });
     for (k, part) in parts.iter().enumerate() {
         if k > 0 {
             add(String::new(), 0, String::new());
@@ -219,7 +220,7 @@ mod tests {
                 let (model, _) = Model::new(preset, None, theme, (width, 24)).expect("a twin");
                 let lines = content(&model, width);
                 assert!(lines.iter().any(|line| line.word == *name));
-                for Entry { word, start, text } in &lines {
+                for HelpLine { word, start, text } in &lines {
                     let apart =
                         word.is_empty() || text.is_empty() || 1 + columns(word) + 2 <= *start;
                     assert!(apart, "{width}: {word} {text}");

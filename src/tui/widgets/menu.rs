@@ -7,7 +7,7 @@ use ratatui::widgets::{Clear, Widget};
 
 use super::rules;
 use crate::scene::Preset;
-use crate::tui::caption::{Turn, text_width, texts, turns};
+use crate::tui::caption::{CaptionPart, text_width, texts, turns};
 use crate::tui::model::{Menu, Model};
 use crate::tui::text::{fitted, line};
 use crate::tui::theme::Theme;
@@ -73,7 +73,7 @@ pub fn render(model: &Model, menu: &Menu, area: Rect, buffer: &mut Buffer) {
 pub fn render_texts(model: &Model, preset: &Preset, area: Rect, buffer: &mut Buffer) {
     let theme = model.theme;
     let mut row = 0;
-    for Turn { label, lines } in turns(theme, &texts(preset), text_width(area), u16::MAX) {
+    for CaptionPart { label, lines } in turns(theme, &texts(preset), text_width(area), u16::MAX) {
         render_turn(theme, &label, &lines, area, row, buffer);
         row += u16::try_from(lines.len()).unwrap_or(u16::MAX);
     }

@@ -16,7 +16,7 @@ const WHY: usize = 2;
 const CROWDED: (f64, f64) = (0.3, 3.0);
 
 /// A line of the panel. Low panels leave out those of the highest rank.
-struct Said {
+struct RankedLine {
     rank: u8,
     pieces: Pieces,
 }
@@ -45,18 +45,18 @@ pub fn render(model: &Model, area: Rect, with_history: bool, buffer: &mut Buffer
 }
 
 /// The most needed lines, as many as there are rows, in their order.
-fn shown(lines: Vec<Said>, rows: u16) -> impl Iterator<Item = Pieces> {
+fn shown(lines: Vec<RankedLine>, rows: u16) -> impl Iterator<Item = Pieces> {
     let mut ranks: Vec<u8> = lines.iter().map(|line| line.rank).collect();
     ranks.sort_unstable();
     let last = ranks.get(usize::from(rows.max(1)) - 1).copied();
-    let needed = move |line: &Said| last.is_none_or(|last| line.rank <= last);
+    let needed = move |line: &RankedLine| last.is_none_or(|last| line.rank <= last);
     lines.into_iter().filter(needed).map(|line| line.pieces)
 }
 
-fn lines(model: &Model, width: u16, with_history: bool) -> Vec<Said> {
+fn lines(model: &Model, width: u16, with_history: bool) -> Vec<RankedLine> {
     let theme = model.theme;
-    let mut lines: Vec<Said> = Vec::new();
-    let mut say = |rank: u8, pieces: Pieces| lines.push(Said { rank, pieces });
+    let mut lines: Vec<RankedLine> = Vec::new();
+    let mut say = |rank: u8, pieces: Pieces| lines.push(RankedLine { rank, pieces });
     // The longest of some words that has room.
     let fitting = |words: &[&str], taken: &str| -> String {
         let room = width.saturating_sub(columns(&theme.text(taken)));
@@ -158,7 +158,7 @@ mod tests {
 
     #[test]
     fn low_panels_keep_the_most_needed_lines_in_their_order() {
-        let line = |rank| Said {
+        let line = |rank| RankedLine {
             rank,
             pieces: vec![(rank.to_string(), Style::new())],
         };

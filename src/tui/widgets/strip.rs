@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use super::raster::Raster;
 use super::rules;
 use super::trace::clear;
-use crate::live::Row;
+use crate::live::ColumnSample;
 use crate::math;
 use crate::physics::Energy;
 use crate::tui::model::Model;
@@ -133,7 +133,7 @@ fn label_axis(model: &Model, top: f64, area: Rect, buffer: &mut Buffer) {
 fn draw(model: &Model, quantity: Graphed, top: f64, area: Rect, buffer: &mut Buffer) {
     let mut raster = Raster::new(area);
     // What is too small for the axis, 0 included, runs along its lower end.
-    let place = |row: &Row| {
+    let place = |row: &ColumnSample| {
         let value = quantity.of(row.kinetic, row.relative);
         ((math::log10(value) - top + DECADES) / DECADES).clamp(0.0, 1.0)
     };

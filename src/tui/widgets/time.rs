@@ -15,7 +15,7 @@ const FOR_SCALE: u16 = 3;
 
 /// Something that stands on the axis.
 #[derive(Debug, Clone, PartialEq)]
-struct Label {
+struct TimeLabel {
     /// The column where it begins.
     start: u16,
     text: String,
@@ -26,19 +26,19 @@ struct Label {
 /// Draws the axis below a trace of that width.
 pub fn render(model: &Model, trace: Rect, area: Rect, buffer: &mut Buffer) {
     let theme = model.theme;
-    for Label { start, text, of } in labels(&model.page, trace) {
+    for TimeLabel { start, text, of } in labels(&model.page, trace) {
         let now = of.0 == model.page.now;
         let style = if now { Style::new() } else { theme.quiet() };
         line(theme, buffer, area, 0).skip(start).put(&text, style);
     }
 }
 
-fn labels(page: &Page, trace: Rect) -> Vec<Label> {
+fn labels(page: &Page, trace: Rect) -> Vec<TimeLabel> {
     let (sweep, width) = (&page.sweep, trace.width);
     let (start, phase) = page.begun();
     let clock = |time| numbers::clock(time, sweep.span);
     let end = width.saturating_sub(FOR_SCALE);
-    let mut labels = vec![Label {
+    let mut labels = vec![TimeLabel {
         start: 0,
         text: clock(start),
         of: (start, 0.0),
@@ -75,7 +75,7 @@ fn labels(page: &Page, trace: Rect) -> Vec<Label> {
     let right = texts
         .into_iter()
         .find(|text: &String| least + columns(text) <= end);
-    let right = right.map(|text| Label {
+    let right = right.map(|text| TimeLabel {
         start: end - columns(&text),
         text,
         of: (of, 1.0),
@@ -83,7 +83,7 @@ fn labels(page: &Page, trace: Rect) -> Vec<Label> {
     let free = right.as_ref().map_or(end, |label| label.start - 1);
     let word = "now";
     if pen + 1 >= taken + 1 + columns(word) && pen < free {
-        labels.push(Label {
+        labels.push(TimeLabel {
             start: pen + 1 - columns(word),
             text: word.to_owned(),
             of: (page.now, phase),
@@ -96,13 +96,13 @@ fn labels(page: &Page, trace: Rect) -> Vec<Label> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::live::{History, Sample, Sweep};
+    use crate::live::{History, Sample, Sampling};
 
     const SPAN: f64 = 0.3;
 
     /// A page whose pen has come to `time`, of samples on its grid.
     fn page(width: u16, origin: f64, time: f64) -> Page {
-        let sweep = Sweep {
+        let sweep = Sampling {
             origin,
             span: SPAN,
             columns: usize::from(width) * 2,
@@ -151,7 +151,7 @@ mod tests {
                     let end = pair[0].start + columns(&pair[0].text);
                     assert!(end < pair[1].start, "{labels:?}");
                 }
-                for Label { start, text, of } in labels {
+                for TimeLabel { start, text, of } in labels {
                     assert!(start + columns(&text) <= width - FOR_SCALE);
                     let nearest = drawn
                         .iter()

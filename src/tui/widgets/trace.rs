@@ -8,7 +8,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::raster::Raster;
-use crate::live::Row;
+use crate::live::ColumnSample;
 use crate::tui::model::{Page, Scale};
 use crate::tui::text::{line, wrapped};
 use crate::tui::theme::Theme;
@@ -35,7 +35,7 @@ impl Trace<'_> {
     pub fn render(&self, area: Rect, buffer: &mut Buffer) {
         let mut raster = Raster::new(area);
         let beads = self.theme.side(self.side);
-        let mut last: Option<(i32, &Row)> = None;
+        let mut last: Option<(i32, &ColumnSample)> = None;
         for (place, sample) in self.page.visible(clear(area)) {
             let Some(row) = sample.rows.get(self.side).and_then(Option::as_ref) else {
                 last = None;
@@ -83,7 +83,13 @@ fn stroke(raster: &mut Raster, scale: &Scale, from: (i32, f32), to: (i32, f32), 
 }
 
 /// The plate: its surface, and below it a dotted edge, which tells it from a bead.
-fn ground(raster: &mut Raster, from: (i32, &Row), to: (i32, &Row), scale: &Scale, style: Style) {
+fn ground(
+    raster: &mut Raster,
+    from: (i32, &ColumnSample),
+    to: (i32, &ColumnSample),
+    scale: &Scale,
+    style: Style,
+) {
     stroke(
         raster,
         scale,

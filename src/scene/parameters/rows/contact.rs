@@ -5,7 +5,7 @@ use crate::scene::parameters::access::{
     choice, contact_time, exponents, flag, number, power, set_contact_time, set_exponents,
     set_power,
 };
-use crate::scene::parameters::{Kind, Parameter, Scale, Value};
+use crate::scene::parameters::{Kind, NudgeScale, Parameter, Value};
 use crate::scene::{FloorContact, LawName};
 
 const SAME_SPRING: &str = "same-spring";
@@ -14,7 +14,7 @@ const TIMED: &str = "scenes with soft contacts and law hooke, or the rule tc";
 const GIVEN: &str = "scenes with law hooke or hard spheres (method ed)";
 const POWER: &str = "scenes with a power law (law hertz, hertz-kuwabara-kono, taguchi or power)";
 const FREE: &str = "scenes with law power";
-pub(super) const CONSTANTS: Scale = Scale::Log {
+pub(super) const CONSTANTS: NudgeScale = NudgeScale::Log {
     fine: 1.1,
     coarse: 2.0,
     smallest: 1e-12,
@@ -22,7 +22,7 @@ pub(super) const CONSTANTS: Scale = Scale::Log {
 const EXPONENT: Kind = Kind::Number {
     min: 0.0,
     max: 5.0,
-    scale: Scale::Linear {
+    scale: NudgeScale::Linear {
         fine: 0.05,
         coarse: 0.25,
     },
@@ -37,7 +37,7 @@ pub(super) const RESTITUTION: Parameter = Parameter {
     kind: Kind::Number {
         min: 0.0,
         max: 1.0,
-        scale: Scale::Linear {
+        scale: NudgeScale::Linear {
             fine: 0.01,
             coarse: 0.1,
         },

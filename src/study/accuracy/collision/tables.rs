@@ -4,22 +4,22 @@ use crate::math;
 use crate::numerals::{digits, rounded};
 use std::collections::BTreeMap;
 
-use super::{ROUNDING, Row};
+use super::{CandidateRow, ROUNDING};
 use crate::scene::MethodName;
 use crate::study::accuracy::Report;
-use crate::study::accuracy::compared::{Errors, Run};
+use crate::study::accuracy::compared::{CollisionTrace, Errors};
 use crate::study::fit::{median, slope};
 use crate::study::plot::{Axis, Plot, Series};
 use crate::study::table::{Cell, Column, Digits, Table};
 
-pub(super) fn report(rows: &[Row], truth: &Run, sensitivity: Errors) -> Report {
+pub(super) fn report(rows: &[CandidateRow], truth: &CollisionTrace, sensitivity: Errors) -> Report {
     Report {
         tables: vec![table(rows, truth, sensitivity), orders(rows)],
         plots: vec![plot(rows)],
     }
 }
 
-fn table(rows: &[Row], truth: &Run, sensitivity: Errors) -> Table {
+fn table(rows: &[CandidateRow], truth: &CollisionTrace, sensitivity: Errors) -> Table {
     let two = Digits::Significant(2);
     let columns = [
         Column::new("method", "method", ""),
@@ -84,7 +84,7 @@ fn table(rows: &[Row], truth: &Run, sensitivity: Errors) -> Table {
 }
 
 /// A row; of results no digit beyond what the last bit of the start leaves.
-fn cells(row: &Row, last_bit: Errors) -> Vec<Cell> {
+fn cells(row: &CandidateRow, last_bit: Errors) -> Vec<Cell> {
     let kind = match &row.candidate {
         candidate if candidate.is_reference() => "last bit",
         candidate if candidate.is_other_model() => "model",
@@ -120,7 +120,7 @@ fn cells(row: &Row, last_bit: Errors) -> Vec<Cell> {
 }
 
 /// Observed order of convergence of every method with a ladder of steps.
-fn orders(rows: &[Row]) -> Table {
+fn orders(rows: &[CandidateRow]) -> Table {
     let one = Digits::Fixed(2);
     let columns = [
         Column::new("method", "method", ""),
@@ -166,12 +166,12 @@ fn orders(rows: &[Row]) -> Table {
 }
 
 /// Whether the exact method has tolerances.
-fn has_rung(rows: &[Row]) -> bool {
+fn has_rung(rows: &[CandidateRow]) -> bool {
     let mut candidates = rows.iter().map(|row| &row.candidate);
     candidates.any(|c| c.method == MethodName::Exact && !c.is_reference())
 }
 
-fn plot(rows: &[Row]) -> Plot {
+fn plot(rows: &[CandidateRow]) -> Plot {
     let mut series: BTreeMap<usize, Vec<(f64, f64)>> = BTreeMap::new();
     for row in rows {
         let at = MethodName::ALL

@@ -1,14 +1,14 @@
 //! The report on a column under gravity.
 
-use super::{Looks, PARTED, Row, Run, SETTLING, WINDOWS};
+use super::{Looks, PARTED, PlateRow, PlateTrace, SETTLING, WINDOWS};
 use crate::scene::Scene;
 use crate::study::RunError;
 use crate::study::accuracy::Report;
 use crate::study::means::Mean;
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Cell, Column, Digits, Table};
 
-pub(super) fn report(rows: &[Row], truth: &Run, scene: &Scene, looks: Looks) -> Report {
+pub(super) fn report(rows: &[PlateRow], truth: &PlateTrace, scene: &Scene, looks: Looks) -> Report {
     let mut parting = parting(rows, scene, looks);
     let shortened = scene.duration.is_some_and(|all| looks.duration < all);
     if shortened {
@@ -25,7 +25,7 @@ pub(super) fn report(rows: &[Row], truth: &Run, scene: &Scene, looks: Looks) -> 
 }
 
 /// How trajectories part.
-fn parting(rows: &[Row], scene: &Scene, looks: Looks) -> Table {
+fn parting(rows: &[PlateRow], scene: &Scene, looks: Looks) -> Table {
     let two = Digits::Significant(2);
     let columns = [
         Column::new("method", "method", ""),
@@ -76,7 +76,7 @@ fn parting(rows: &[Row], scene: &Scene, looks: Looks) -> Table {
 }
 
 /// The largest distance in the first period, m.
-fn first_period(row: &Row) -> Option<f64> {
+fn first_period(row: &PlateRow) -> Option<f64> {
     let distances = row.distances.iter().take(WINDOWS).copied();
     distances.reduce(f64::max)
 }
@@ -93,7 +93,7 @@ fn why((error, seconds): &(RunError, f64), looks: Looks) -> String {
 }
 
 /// Means and how far they are from the exact run's.
-fn statistics(rows: &[Row], truth: &Run, looks: Looks) -> Table {
+fn statistics(rows: &[PlateRow], truth: &PlateTrace, looks: Looks) -> Table {
     let one = Digits::Fixed(1);
     let two = Digits::Significant(2);
     let four = Digits::Significant(4);
@@ -126,12 +126,12 @@ fn statistics(rows: &[Row], truth: &Run, looks: Looks) -> Table {
     table
 }
 
-fn of_one(name: &str, setting: &str, run: &Run, truth: Option<&Run>) -> Vec<Cell> {
+fn of_one(name: &str, setting: &str, run: &PlateTrace, truth: Option<&PlateTrace>) -> Vec<Cell> {
     let off = |mean: Option<Mean>, true_mean: Option<Mean>| {
         mean.zip(true_mean).and_then(|(a, b)| a.in_errors_from(b))
     };
-    let height = |run: &Run| run.means.height(run.means.all());
-    let share = |run: &Run| run.means.share(run.means.all());
+    let height = |run: &PlateTrace| run.means.height(run.means.all());
+    let share = |run: &PlateTrace| run.means.share(run.means.all());
     let (true_height, true_share) = (truth.and_then(height), truth.and_then(share));
     let (height, share) = (height(run), share(run));
     vec![
@@ -147,19 +147,19 @@ fn of_one(name: &str, setting: &str, run: &Run, truth: Option<&Run>) -> Vec<Cell
     ]
 }
 
-fn plot(rows: &[Row], looks: Looks) -> Plot {
+fn plot(rows: &[PlateRow], looks: Looks) -> Plot {
     let series = rows.iter().filter(|row| !row.distances.is_empty());
     // What comes after the parting is as far apart as two runs can be.
     let parted = rows.iter().filter_map(|row| row.growth.parted);
     let end = parted
         .reduce(f64::max)
         .map_or(f64::INFINITY, |t| 1.5 * t + looks.period);
-    let points = |row: &Row| {
+    let points = |row: &PlateRow| {
         let at = |(k, d): (usize, &f64)| ((k + 1) as f64 * looks.window(), *d);
         let points = row.distances.iter().enumerate().map(at);
         points.take_while(|&(t, _)| t <= end).collect()
     };
-    let named = |row: &Row| {
+    let named = |row: &PlateRow| {
         format!("{} {}", row.name, row.setting)
             .trim_end()
             .to_owned()
@@ -170,7 +170,7 @@ fn plot(rows: &[Row], looks: Looks) -> Plot {
         x: Axis::linear("time, s"),
         y: Axis::log("largest distance of a bead, m"),
         series: series
-            .map(|row| Series::new(named(row), points(row)).with(Look::Line))
+            .map(|row| Series::new(named(row), points(row)).with(SeriesStyle::Line))
             .collect(),
     }
 }

@@ -1,17 +1,17 @@
 //! The tables and the plot of Fig. 4(a).
 
-use super::{Job, PAIRS, Point, eps, mean};
+use super::{LatticeRun, PAIRS, Point, eps, mean};
 use crate::scene::MethodName;
 use crate::study::Results;
 use crate::study::accuracy::facts;
 use crate::study::figures::runs::{preset, results};
 use crate::study::figures::{FigureError, Sheet};
-use crate::study::plot::{Axis, Look, Plot, Series};
+use crate::study::plot::{Axis, Plot, Series, SeriesStyle};
 use crate::study::table::{Column, Table};
 
 /// Adds both to the sheet.
 pub(super) fn record(
-    jobs: &[Job],
+    jobs: &[LatticeRun],
     found: &[Results],
     curve: &[Point],
     sheet: &mut Sheet,
@@ -72,15 +72,15 @@ pub(super) fn record(
     Ok(())
 }
 
-fn plot(jobs: &[Job], found: &[Results], curve: &[Point]) -> Result<Plot, FigureError> {
+fn plot(jobs: &[LatticeRun], found: &[Results], curve: &[Point]) -> Result<Plot, FigureError> {
     let hard = eps(&results(&preset("fig1d", Some(MethodName::Ed), &[])?)?);
     let ends = [curve.first(), curve.last()].into_iter().flatten();
     let line = ends.map(|point| (point.sigma, hard)).collect();
     let column = curve.iter().map(|point| (point.sigma, point.even));
     // Points are drawn over what comes before them.
     let mut series = vec![
-        Series::new("1D, ED", line).with(Look::Line),
-        Series::new("1D, h = 10", column.collect()).with(Look::Line),
+        Series::new("1D, ED", line).with(SeriesStyle::Line),
+        Series::new("1D, h = 10", column.collect()).with(SeriesStyle::Line),
     ];
     for pair in PAIRS {
         let mine = jobs.iter().zip(found);
@@ -88,7 +88,7 @@ fn plot(jobs: &[Job], found: &[Results], curve: &[Point]) -> Result<Plot, Figure
             .filter(|(job, _)| (job.v0, job.contact_time) == pair)
             .map(|(job, results)| (job.sigma, eps(results)));
         let name = format!("2D, {} m/s, {:e} s", pair.0, pair.1);
-        series.push(Series::new(name, points.collect()).with(Look::Points));
+        series.push(Series::new(name, points.collect()).with(SeriesStyle::Points));
     }
     Ok(Plot {
         name: "fig4a".to_owned(),

@@ -2,7 +2,7 @@
 
 /// A page: how long it is, and when its dot columns are sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sweep {
+pub struct Sampling {
     /// Simulated time at which the first page begins, s.
     pub origin: f64,
     /// Length of a page, s.
@@ -13,7 +13,7 @@ pub struct Sweep {
     pub hold: bool,
 }
 
-impl Sweep {
+impl Sampling {
     /// Time between two samples, s.
     pub fn interval(&self) -> f64 {
         self.span / self.columns as f64
@@ -77,7 +77,7 @@ impl Sweep {
 mod tests {
     use super::*;
 
-    const SWEEP: Sweep = Sweep {
+    const SWEEP: Sampling = Sampling {
         origin: 1.0,
         span: 0.5,
         columns: 50,
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn every_sample_time_leads_to_the_next() {
-        let sweep = Sweep {
+        let sweep = Sampling {
             origin: 0.1,
             span: 0.3,
             columns: 61,

@@ -6,14 +6,14 @@ use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
 /// Where a figure's runs are done, and who is told how far they are.
-pub(super) struct Bench<'a, 'b> {
+pub(super) struct RunPool<'a, 'b> {
     what: &'static str,
     pains: Pains,
     tell: &'a mut Tell<'b>,
 }
 
-impl<'a, 'b> Bench<'a, 'b> {
-    /// The bench of a figure that is called so.
+impl<'a, 'b> RunPool<'a, 'b> {
+    /// The pool of a figure that is called so.
     pub fn new(what: &'static str, pains: Pains, tell: &'a mut Tell<'b>) -> Self {
         Self { what, pains, tell }
     }
@@ -64,12 +64,12 @@ mod tests {
     use super::*;
     use crate::scene::parameters;
 
-    fn bench(threads: usize, items: &[u64]) -> Result<Vec<u64>, FigureError> {
+    fn pool(threads: usize, items: &[u64]) -> Result<Vec<u64>, FigureError> {
         let pains = Pains {
             quick: true,
             threads,
         };
-        Bench::new("test", pains, &mut |_, _| {}).each(items, |&item| match item {
+        RunPool::new("test", pains, &mut |_, _| {}).each(items, |&item| match item {
             13 | 17 => Err(FigureError::Scene(
                 parameters::named(&format!("no{item}")).expect_err("no such parameter"),
             )),
@@ -83,10 +83,10 @@ mod tests {
         let squares: Vec<u64> = fine.iter().map(|k| k * k).collect();
         let bad: Vec<u64> = (0..50).collect();
         for threads in [1, 2, 7, 100] {
-            assert_eq!(bench(threads, &fine), Ok(squares.clone()));
-            let error = bench(threads, &bad).expect_err("13 fails");
+            assert_eq!(pool(threads, &fine), Ok(squares.clone()));
+            let error = pool(threads, &bad).expect_err("13 fails");
             assert!(error.to_string().contains("no13"), "{error}");
         }
-        assert_eq!(bench(2, &[]), Ok(Vec::new()));
+        assert_eq!(pool(2, &[]), Ok(Vec::new()));
     }
 }
