@@ -74,6 +74,10 @@ pub struct ExploreArgs {
     )]
     pub preset: String,
 
+    /// How the beads are moved at first
+    #[arg(long, value_enum)]
+    pub method: Option<MethodName>,
+
     /// Draw with ASCII only
     #[arg(long)]
     pub ascii: bool,
@@ -297,10 +301,20 @@ pub enum ReportFormat {
 pub enum PresetsAction {
     /// List names and titles
     List,
-    /// Print a preset as TOML
+    /// Print a preset as TOML, changed or as it is
     Show {
-        /// The preset's name
+        /// A preset's name, or a TOML file
+        #[arg(value_name = "PRESET|FILE.toml")]
         name: String,
+
+        /// How the beads are moved
+        #[arg(long, value_enum)]
+        method: Option<MethodName>,
+
+        /// Change a parameter, like t_c=4.6us or N=20; a bare number is in SI units
+        /// (repeatable; `beadlab run --help` lists them)
+        #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+        settings: Vec<String>,
     },
     /// Check preset files, and say what is wrong on which line
     Check {

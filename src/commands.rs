@@ -20,6 +20,7 @@ use crate::scene::parameters::{self, Setting};
 use crate::scene::words::{one_line, quote};
 use crate::scene::{MethodName, Preset};
 use crate::study::RunError;
+use crate::tui::model::Origin;
 use clap::Parser;
 use explore::ExploreOptions;
 use std::ffi::OsString;
@@ -81,16 +82,20 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
         Some(Subcommand::Speed(args)) => speed::run(&args),
         Some(Subcommand::Sweep(args)) => sweep::run(&args),
         Some(Subcommand::Figure(args)) => figure::run(&args),
-        Some(Subcommand::Presets { action }) => presets::presets(action.as_ref()),
+        Some(Subcommand::Presets { action }) => presets::presets(action),
         None => {
             let args = cli.explore;
-            let preset = load(&args.preset, None, &args.settings)?;
+            let preset = load(&args.preset, args.method, &args.settings)?;
+            let origin = Origin {
+                scene: load(&args.preset, None, &[])?.scene,
+                name: args.preset,
+            };
             let options = ExploreOptions {
                 ascii: args.ascii,
                 speed: args.speed,
                 memory: args.memory as usize * MIB,
             };
-            explore::explore(preset, &options)
+            explore::explore(preset, origin, &options)
         }
     }
 }

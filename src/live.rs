@@ -69,6 +69,13 @@ pub enum Order {
     Sampling(Sampling),
     /// Pause, and go to another time.
     Leap(Leap),
+    /// Go to just before the next landing, and on from there.
+    LookInto {
+        /// Simulated seconds in a second.
+        speed: f64,
+        /// How long before it, s.
+        lead: f64,
+    },
 }
 
 /// Back in what was, or on.

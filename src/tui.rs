@@ -6,6 +6,7 @@
 
 mod caption;
 pub mod event_loop;
+mod files;
 mod guard;
 pub mod input;
 pub mod judge;
@@ -25,7 +26,7 @@ pub mod update;
 pub mod view;
 mod widgets;
 
-use std::io;
+use std::io::{self, Write};
 use std::time::Instant;
 
 use ratatui::Terminal;
@@ -35,14 +36,16 @@ use crate::scene::Preset;
 use event_loop::{Ending, EventLoop, Stage, Wires};
 use guard::Guard;
 use link::Link;
-use model::Model;
+use model::{Model, Origin};
 use outbox::{Outbox, StatusRequest};
 use screen::Screen;
 use theme::Theme;
 use tmux::Passage;
 
 /// The real terminal's manners.
-struct RealStage;
+struct RealStage {
+    outbox: Outbox,
+}
 
 impl Stage for RealStage {
     fn can_be_continued(&self) -> bool {
@@ -66,16 +69,25 @@ impl Stage for RealStage {
         // A terminal that refuses has gone, and that is noticed elsewhere.
         let _ = guard::enter();
     }
+
+    fn copy(&mut self, text: &str) {
+        self.outbox.copy(text);
+    }
+
+    fn keep(&mut self, stem: &str, ending: &str, text: &str) -> Result<String, String> {
+        files::write_new(stem, ending, text)
+    }
 }
 
 /// Shows a preset on the terminal until somebody wants to leave. What was is kept to go back
-/// to in so much memory, bytes.
+/// to in so much memory, bytes. A line that was asked for is printed on leaving.
 ///
 /// # Errors
 /// When the terminal or a thread cannot be had, or the preset's twin cannot be
 /// loaded, in a sentence.
 pub fn run(
     preset: Preset,
+    origin: Origin,
     speed: Option<f64>,
     theme: Theme,
     build: Build,
@@ -85,7 +97,8 @@ pub fn run(
         let what = what.to_owned();
         move |error: io::Error| format!("cannot {what}: {error}")
     };
-    let (mut model, start) = Model::new(preset, speed, theme, screen::size())?;
+    let (model, start) = Model::new(preset, speed, theme, screen::size())?;
+    let mut model = model.from_origin(origin);
     let live = live::spawn(build, memory).map_err(cannot("start the simulation thread"))?;
     let judge = judge::spawn().map_err(cannot("start the judging thread"))?;
     let signals = signals::watch().map_err(cannot("watch signals"))?;
@@ -105,8 +118,11 @@ pub fn run(
         judge,
     };
     let mut link = Link::new(outbox.clone(), Instant::now());
+    let mut stage = RealStage {
+        outbox: outbox.clone(),
+    };
     let ended = Terminal::new(Screen::new(outbox)).and_then(|mut terminal| {
-        let (terminal, model, stage) = (&mut terminal, &mut model, &mut RealStage);
+        let (terminal, model, stage) = (&mut terminal, &mut model, &mut stage);
         EventLoop {
             terminal,
             model,
@@ -118,6 +134,10 @@ pub fn run(
         .run()
     });
     drop(guard);
+    if let Some(line) = &model.parting {
+        // A terminal that is gone has no use for it.
+        let _ = writeln!(io::stdout(), "{line}");
+    }
     // What can no longer be drawn to has gone.
     Ok(ended.unwrap_or(Ending::Signal(signals::HANGUP)))
 }

@@ -6,6 +6,7 @@ use super::Failure;
 use crate::physics;
 use crate::scene::Preset;
 use crate::tui::event_loop::Ending;
+use crate::tui::model::Origin;
 use crate::tui::theme::Theme;
 
 /// How to explore.
@@ -24,7 +25,7 @@ pub struct ExploreOptions {
 ///
 /// # Errors
 /// When there is no terminal, or it cannot be used.
-pub fn explore(preset: Preset, options: &ExploreOptions) -> Result<(), Failure> {
+pub fn explore(preset: Preset, origin: Origin, options: &ExploreOptions) -> Result<(), Failure> {
     for (is_terminal, which) in [
         (stdin().is_terminal(), "input"),
         (stdout().is_terminal(), "output"),
@@ -57,7 +58,7 @@ pub fn explore(preset: Preset, options: &ExploreOptions) -> Result<(), Failure> 
         name => variable(name),
     });
     let build = Box::new(physics::build);
-    match crate::tui::run(preset, options.speed, theme, build, options.memory)
+    match crate::tui::run(preset, origin, options.speed, theme, build, options.memory)
         .map_err(Failure::Failed)?
     {
         Ending::Quit => Ok(()),

@@ -1,21 +1,25 @@
 //! `beadlab presets`: the presets there are, and checks of one's own.
 
-use super::{Failure, bad_input, printed};
+use super::{Failure, bad_input, load, printed};
 use crate::cli::PresetsAction;
-use crate::scene::Preset;
 use crate::scene::preset::embedded;
-use crate::scene::words::{did_you_mean, one_line, quote};
+use crate::scene::words::one_line;
+use crate::scene::{MethodName, Preset};
 use std::io::{self, Write};
 
 /// Runs `beadlab presets`.
 ///
 /// # Errors
 /// When there is no such preset, or a file is not one.
-pub fn presets(action: Option<&PresetsAction>) -> Result<(), Failure> {
+pub fn presets(action: Option<PresetsAction>) -> Result<(), Failure> {
     match action {
         None | Some(PresetsAction::List) => list(),
-        Some(PresetsAction::Show { name }) => show(name),
-        Some(PresetsAction::Check { files }) => check(files),
+        Some(PresetsAction::Show {
+            name,
+            method,
+            settings,
+        }) => show(&name, method, &settings),
+        Some(PresetsAction::Check { files }) => check(&files),
     }
 }
 
@@ -27,15 +31,17 @@ fn list() -> Result<(), Failure> {
     print(&lines.map_err(bad_input)?.concat())
 }
 
-fn show(name: &str) -> Result<(), Failure> {
-    if let Some((_, text)) = embedded().iter().find(|&&(each, _)| each == name) {
-        return print(text);
+/// A preset as it was written, or, where it is changed or a file, as it would be.
+fn show(name: &str, method: Option<MethodName>, settings: &[String]) -> Result<(), Failure> {
+    let preset = load(name, method, settings)?;
+    let as_written = embedded()
+        .iter()
+        .filter(|_| method.is_none() && settings.is_empty())
+        .find(|&&(each, _)| each == name);
+    match as_written {
+        Some((_, text)) => print(text),
+        None => print(&preset.to_toml()),
     }
-    let hint = did_you_mean(name, embedded().iter().map(|&(each, _)| each));
-    Err(Failure::BadInput(format!(
-        "{}: no such preset{hint}",
-        quote(name)
-    )))
 }
 
 /// All files are good, or each bad one gets its line.

@@ -38,6 +38,8 @@ pub(super) struct Worker {
     past: Past,
     /// Since when another time of the past is sought, while it is not reached.
     sought: Option<Instant>,
+    /// Whether it goes on from a time that it is on its way to.
+    goes_on: bool,
     /// The shadow of each column, while they are asked for.
     shadows: Option<Vec<Option<Shadow>>>,
     clock: Clock,
@@ -66,6 +68,7 @@ impl Worker {
             under_way: None,
             past: Past::new(memory),
             sought: None,
+            goes_on: false,
             shadows: None,
             clock: Clock::new(now),
             speed: 1.0,
@@ -113,6 +116,9 @@ impl Worker {
             if arrived && self.sought.is_some() && self.shadows.is_some() {
                 self.shade(true);
             }
+            if arrived && self.goes_on {
+                self.set_running(true);
+            }
             self.follow(arrived);
             busy = !arrived || self.is_shadow_waited_for();
             self.publish(asked || self.is_idle());
@@ -153,11 +159,20 @@ impl Worker {
             Order::Run(running) => self.set_running(running),
             Order::Speed(speed) => self.set_speed(speed),
             Order::Sampling(sweep) => self.set_sweep(sweep),
-            Order::Leap(leap) => self.leap(leap),
+            Order::Leap(leap) => {
+                self.goes_on = false;
+                self.leap(leap);
+            }
+            Order::LookInto { speed, lead } => {
+                self.set_speed(speed);
+                self.leap_before_landing(lead);
+                self.goes_on = true;
+            }
         }
     }
 
     fn set_running(&mut self, running: bool) {
+        self.goes_on = false;
         if self.paused == running {
             self.paused = !running;
             self.clock.stand_at(self.position.reached, Instant::now());

@@ -4,6 +4,7 @@ mod embedded;
 mod entries;
 mod file;
 mod parse;
+mod write;
 
 pub use embedded::embedded;
 

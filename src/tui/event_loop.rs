@@ -45,6 +45,13 @@ pub trait Stage {
     fn stop(&mut self);
     /// Take the terminal again.
     fn resume(&mut self);
+    /// Put a text where the terminal's own pasting finds it.
+    fn copy(&mut self, text: &str);
+    /// Write a file of a new name that begins so; its name.
+    ///
+    /// # Errors
+    /// When it cannot be written, in a line.
+    fn keep(&mut self, stem: &str, ending: &str, text: &str) -> Result<String, String>;
 }
 
 /// How the loop ended.
@@ -223,6 +230,13 @@ impl<B: Backend> EventLoop<'_, B> {
                 self.forget_screen()?;
             }
             Some(Command::Order(order)) => self.send(order),
+            Some(Command::Copy(text)) => self.stage.copy(&text),
+            Some(Command::Keep { stem, ending, text }) => {
+                let kept = self.stage.keep(&stem, ending, &text);
+                let alarm = kept.is_err();
+                let line = kept.map_or_else(|why| why, |name| format!("saved as {name}"));
+                self.model.say(line, alarm, Instant::now());
+            }
         }
         Ok(false)
     }

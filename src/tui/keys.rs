@@ -15,6 +15,8 @@ pub enum Action {
     Leap(Leap),
     /// Start again from t = 0.
     Restart,
+    /// Slow down at the next landing until contacts can be watched, or go on as before.
+    LookInto,
     /// One speed of the ladder slower or faster.
     Speed(i32),
     /// The next method for the left column.
@@ -48,6 +50,10 @@ pub enum Action {
     Redo,
     /// Back to the preset.
     Reset,
+    /// The command line that makes what is simulated.
+    CommandLine,
+    /// A file of what is simulated.
+    Save,
     /// Draw the whole screen again.
     Redraw,
     /// Stop the program for a while, as the shell's job.
@@ -165,6 +171,12 @@ pub const BINDINGS: &[Binding] = &[
         .help("[ ]", "slower, faster")
         .hint("[ ]", "speed", 2),
     key(&[Char(']')], Action::Speed(1)),
+    key(&[Char('z')], Action::LookInto)
+        .help(
+            "z",
+            "the next landing so slowly that contacts are seen; back",
+        )
+        .hint("z", "into a landing", 8),
     key(&[Char('r')], Action::Restart)
         .help("r", "start again from t = 0")
         .hint("r", "restart", 5),
@@ -203,6 +215,11 @@ pub const BINDINGS: &[Binding] = &[
         .hint("u", "undo", 8),
     key(&[Char('U')], Action::Redo),
     key(&[Char('0'), Backspace], Action::Reset).help("0", "back to the preset"),
+    key(&[Char('y')], Action::CommandLine).help(
+        "y",
+        "the command that opens this; copied, and told on leaving",
+    ),
+    key(&[Char('s')], Action::Save).help("s", "save this as a preset file, never over another"),
     key(&[Char('?'), Char('h')], Action::Help)
         .help("?", "this help")
         .hint("?", "help", 0),

@@ -1,6 +1,9 @@
 //! Everything that the screen shows, and how frames change it.
 
 mod bench;
+mod fit;
+mod keep;
+mod lens;
 mod message;
 mod overlay;
 mod pace;
@@ -10,6 +13,9 @@ mod room;
 mod scale;
 
 pub use bench::{Bench, Change};
+use fit::sweep;
+pub use keep::Origin;
+pub use lens::Lens;
 pub use message::Message;
 pub(super) use overlay::moved;
 pub use overlay::{Menu, Overlay};
@@ -24,7 +30,7 @@ use std::time::{Duration, Instant};
 use super::caption::ReadingTime;
 use super::layout;
 use super::theme::Theme;
-use crate::live::{Accuracy, Frame, History, Order, Sampling, Side, Status};
+use crate::live::{Accuracy, Frame, History, Order, Side, Status};
 use crate::scene::{Preset, Scene};
 use crate::study::verdict::Verdict;
 
@@ -58,6 +64,8 @@ fn first_row(bench: &Bench) -> usize {
 /// Everything that the screen shows.
 #[derive(Debug)]
 pub struct Model {
+    /// What the shell would call it, and how it came.
+    pub(super) origin: Origin,
     /// The preset on the bench.
     pub preset: Preset,
     /// Its scenes, and their edits.
@@ -90,6 +98,8 @@ pub struct Model {
     pub entered: Vec<String>,
     /// The line of the moment.
     pub message: Option<Message>,
+    /// A line for the shell, on leaving.
+    pub parting: Option<String>,
     /// For how long the preset's texts have been read.
     pub(super) reading: ReadingTime,
     /// Characters and colours.
@@ -99,6 +109,8 @@ pub struct Model {
     pub(super) generation: u64,
     /// The speed that suits the scenes as they were last started.
     fitting: Speed,
+    /// The speed before a landing was looked into, while it is.
+    looked_into: Option<Speed>,
 }
 
 impl Model {
@@ -113,14 +125,16 @@ impl Model {
         size: (u16, u16),
     ) -> Result<(Model, Order), String> {
         let bench = Bench::new(&preset)?;
-        let sweep = sweep(bench.scenes(), size, 0.0);
-        let fitting = pace::first_speed(bench.scenes(), sweep.span);
+        let whole = sweep(bench.scenes(), size, 0.0, 1.0);
+        let fitting = pace::first_speed(bench.scenes(), whole.span);
         let speed = speed.map_or(fitting, Speed::nearest);
+        let sweep = sweep(bench.scenes(), size, 0.0, speed.over(fitting));
         let model = Model {
             end: 0.0,
             page: Page::new(sweep, bench.scenes()),
             selected: first_row(&bench),
             judged: None,
+            origin: Origin::of(&preset),
             preset,
             bench,
             speed,
@@ -133,11 +147,13 @@ impl Model {
             overlay: Overlay::None,
             entered: Vec::new(),
             message: None,
+            parting: None,
             reading: ReadingTime::default(),
             theme,
             size,
             generation: 0,
             fitting,
+            looked_into: None,
         };
         let mut model = model;
         let order = model.start(true);
@@ -151,12 +167,19 @@ impl Model {
         self.shadow &= !self.is_shadow_given_up();
         self.held = false;
         self.paused = !running;
-        let sweep = sweep(self.bench.scenes(), self.size, 0.0);
         // A speed that somebody chose stays.
-        let fitting = pace::first_speed(self.bench.scenes(), sweep.span);
+        let whole = sweep(self.bench.scenes(), self.size, 0.0, 1.0);
+        let fitting = pace::first_speed(self.bench.scenes(), whole.span);
+        self.looked_into = None;
         if self.speed == std::mem::replace(&mut self.fitting, fitting) {
             self.speed = fitting;
         }
+        let sweep = sweep(
+            self.bench.scenes(),
+            self.size,
+            0.0,
+            self.speed.over(fitting),
+        );
         self.page = Page::new(sweep, self.bench.scenes());
         self.end = 0.0;
         (self.numbers, self.column) = (Glimpse::default(), Glimpse::default());
@@ -173,6 +196,7 @@ impl Model {
     /// Puts another preset on the bench; the order that starts it.
     pub(super) fn load(&mut self, preset: Preset) -> Result<Order, String> {
         self.bench = Bench::new(&preset)?;
+        self.origin = Origin::of(&preset);
         self.preset = preset;
         self.selected = first_row(&self.bench);
         self.reading = ReadingTime::default();
@@ -209,37 +233,11 @@ impl Model {
         }
         self.column.refresh(&frame, self.look(), still, now);
         self.numbers.refresh(&frame, NUMBERS, still, now);
-        self.fit_page(turned, false)
-    }
-
-    /// The order for another sampling, if the page in force no longer suits the
-    /// screen or the scene. A page that would become only a little longer or shorter
-    /// is finished first, unless it is to be changed `at_once`.
-    pub(super) fn fit_page(&mut self, turned: bool, at_once: bool) -> Option<Order> {
-        let present = self.page.sweep;
-        let mut wanted = sweep(self.bench.scenes(), self.size, present.origin);
-        if self.page.now < present.origin {
-            // The page is of a time before its first edit.
-            wanted.origin = (self.page.now / wanted.span).floor() * wanted.span;
-        }
-        let ratio = wanted.span / present.span;
-        let bears = (0.6..1.7).contains(&ratio) && !turned && !at_once;
-        if (ratio - 1.0).abs() < 1e-9 || bears {
-            wanted.span = present.span;
-        } else {
-            // What has been drawn of this page stays, if the new one is long enough.
-            let start = present.page_start(self.page.now);
-            wanted.origin = if self.page.now - start < wanted.span {
-                start
-            } else {
-                self.page.now
-            };
-        }
-        if wanted == present {
+        // On the way to another time no page begins, nor by a frame from before it.
+        if frame.towards.is_some() || frame.orders < self.orders {
             return None;
         }
-        self.page.set_sweep(wanted);
-        Some(Order::Sampling(wanted))
+        self.fit_page(turned, false)
     }
 
     /// How often the beads now are drawn: many large discs less often than small ones, for
@@ -349,16 +347,5 @@ impl Glimpse {
             self.achieved = frame.achieved;
             self.taken = Some(now);
         }
-    }
-}
-
-/// The page of these scenes on a screen of that size.
-fn sweep(scenes: &[Scene], size: (u16, u16), origin: f64) -> Sampling {
-    let cells = layout::trace_width(size, room::contents(scenes));
-    Sampling {
-        origin,
-        span: pace::span(scenes, cells),
-        columns: usize::from(cells.max(1)) * 2,
-        hold: pace::ends(scenes),
     }
 }

@@ -10,6 +10,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use crossbeam_channel::{Receiver, Sender, unbounded};
+use crossterm::Command;
+use crossterm::clipboard::CopyToClipboard;
 
 /// How the terminal is asked for a receipt (device status report, `CSI 5 n`; it answers
 /// `CSI 0 n`): tmux and screen answer themselves, long before the terminal that shows them
@@ -38,11 +40,23 @@ impl StatusRequest {
     }
 
     /// As it is written.
-    pub fn bytes(self) -> &'static [u8] {
+    pub fn bytes(self) -> Vec<u8> {
+        self.wrapped(b"\x1b[5n")
+    }
+
+    /// A sequence on its way to the terminal itself.
+    fn wrapped(self, sequence: &[u8]) -> Vec<u8> {
         match self {
-            StatusRequest::Plain => b"\x1b[5n",
-            StatusRequest::Tmux => b"\x1bPtmux;\x1b\x1b[5n\x1b\\",
-            StatusRequest::Screen => b"\x1bP\x1b[5n\x1b\\",
+            StatusRequest::Plain => sequence.to_vec(),
+            StatusRequest::Tmux => {
+                let doubled = sequence.iter().flat_map(|&byte| {
+                    let count = if byte == 0x1b { 2 } else { 1 };
+                    std::iter::repeat_n(byte, count)
+                });
+                let inner: Vec<u8> = doubled.collect();
+                [&b"\x1bPtmux;"[..], &inner, b"\x1b\\"].concat()
+            }
+            StatusRequest::Screen => [&b"\x1bP"[..], sequence, b"\x1b\\"].concat(),
         }
     }
 }
@@ -97,7 +111,17 @@ impl Outbox {
 
     /// Asks for a receipt of what was sent so far.
     pub fn ask(&mut self) {
-        self.send(self.question.bytes().to_vec());
+        self.send(self.question.bytes());
+    }
+
+    /// Asks the terminal to keep a text for pasting (OSC 52). Terminals that do not know
+    /// this, or are told not to, do nothing.
+    pub fn copy(&mut self, text: &str) {
+        let mut sequence = String::new();
+        let command = CopyToClipboard::to_clipboard_from(text);
+        if command.write_ansi(&mut sequence).is_ok() {
+            self.send(self.question.wrapped(sequence.as_bytes()));
+        }
     }
 
     /// So many more bytes have been written.
@@ -132,7 +156,7 @@ impl Write for Outbox {
     fn flush(&mut self) -> io::Result<()> {
         if !self.frame.is_empty() {
             let mut frame = std::mem::take(&mut self.frame);
-            frame.extend_from_slice(self.question.bytes());
+            frame.extend_from_slice(&self.question.bytes());
             self.send(frame);
         }
         Ok(())

@@ -36,6 +36,17 @@ pub enum Msg {
 pub enum Command {
     /// An order to the simulation thread.
     Order(Order),
+    /// Put a text where the terminal's own pasting finds it.
+    Copy(String),
+    /// Write a file of that stem and ending, and say its name.
+    Keep {
+        /// What its name begins with.
+        stem: String,
+        /// What follows the last dot.
+        ending: &'static str,
+        /// What is in it.
+        text: String,
+    },
     /// Draw the whole screen again.
     Redraw,
     /// Stop as the shell's job.
@@ -139,6 +150,27 @@ fn on_menu_key(model: &mut Model, key: KeyEvent, now: Instant) -> Option<Command
     None
 }
 
+/// Shows the command line that makes what is simulated.
+fn tell_command_line(model: &mut Model, now: Instant) -> Option<Command> {
+    let Some(line) = model.command_line() else {
+        let why = "no command line makes this scene; s saves it as a file";
+        model.say(why, true, now);
+        return None;
+    };
+    model.say(line.clone(), false, now);
+    model.parting = Some(line.clone());
+    Some(Command::Copy(line))
+}
+
+/// Asks for a preset file of what is simulated.
+fn save(model: &Model) -> Command {
+    Command::Keep {
+        stem: model.preset.name.clone(),
+        ending: "toml",
+        text: model.as_preset().to_toml(),
+    }
+}
+
 /// Stands still, and asks for another time.
 fn leap(model: &mut Model, to: Leap) -> Command {
     (model.paused, model.held) = (true, false);
@@ -165,6 +197,21 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
         Action::Speed(rungs) => {
             model.speed = model.speed.shifted(rungs);
             Some(Command::Order(Order::Speed(model.speed.factor())))
+        }
+        Action::LookInto => {
+            let order = model.look_into_landing();
+            match (&order, &model.page.lens) {
+                (None, _) => {
+                    let why = "hard spheres alone: their collisions take no time to look into";
+                    model.say(why, false, now);
+                }
+                (Some(_), Some(_)) => {
+                    let what = "a line is how far a bead moved since the page began; z goes back";
+                    model.say(what, false, now);
+                }
+                (Some(_), None) => {}
+            }
+            order.map(Command::Order)
         }
         Action::Method => edit::rearrange(model, Bench::next_method, now),
         Action::Twin => edit::rearrange(model, Bench::toggle_twin, now),
@@ -209,6 +256,8 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
             let reset = |bench: &mut Bench| bench.reset().ok_or_else(pristine);
             edit::rearrange(model, reset, now)
         }
+        Action::CommandLine => tell_command_line(model, now),
+        Action::Save => Some(save(model)),
         Action::Redraw => Some(Command::Redraw),
         Action::Suspend => Some(Command::Suspend),
         Action::Quit => Some(Command::Quit),

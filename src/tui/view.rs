@@ -108,7 +108,7 @@ fn draw_discs(model: &Model, layout: &Layout, buffer: &mut Buffer) {
 }
 
 fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
-    axis::render(model.theme, &model.page.scale, layout.axis, buffer);
+    axis::render(model.theme, model.page.trace_scale(), layout.axis, buffer);
     for (index, pane) in layout.panes.iter().enumerate() {
         let Some(scene) = model.bench.scenes().get(index) else {
             continue;
@@ -138,6 +138,7 @@ fn draw_panes(model: &Model, layout: &Layout, buffer: &mut Buffer) {
                 index,
                 scale,
                 diameter: scene.diameter,
+                deep: model.page.lens.is_some().then_some(side.seen.deepest),
                 theme,
             }
             .render(pane.column, below, buffer);

@@ -50,6 +50,10 @@ impl Stage for NoStage {
     fn leave_screen(&mut self) {}
     fn stop(&mut self) {}
     fn resume(&mut self) {}
+    fn copy(&mut self, _: &str) {}
+    fn keep(&mut self, stem: &str, _: &str, _: &str) -> Result<String, String> {
+        Ok(stem.to_owned())
+    }
 }
 
 /// What a script does.

@@ -77,6 +77,22 @@ impl Worker {
         }
     }
 
+    /// Goes to so long before the next landing, s, unless that is past.
+    pub(super) fn leap_before_landing(&mut self, lead: f64) {
+        let deadline = Instant::now() + SEARCH;
+        self.set_running(false);
+        self.bring_to_goal(deadline);
+        match self.next(Count::Landings, deadline) {
+            Ok(time) => {
+                let here = self.position.reached;
+                self.travel((time - lead).max(here));
+                // What comes before is not drawn.
+                self.sought.get_or_insert_with(Instant::now);
+            }
+            Err(why) => self.notes.push(why.to_owned()),
+        }
+    }
+
     fn bring_to_goal(&mut self, deadline: Instant) {
         let goal = self.clock.goal();
         let mut position = std::mem::take(&mut self.position);

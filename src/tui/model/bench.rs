@@ -109,6 +109,11 @@ impl Bench {
         self.settle();
     }
 
+    /// The preset's own scene, edited.
+    pub fn own(&self) -> &Scene {
+        &self.scenes[self.own.min(self.scenes.len() - 1)]
+    }
+
     /// Whether the first scene is a lattice.
     pub fn is_lattice(&self) -> bool {
         self.scenes[0].sites().is_some()

@@ -32,6 +32,11 @@ impl Speed {
         mantissa * math::powi(10.0, self.0.div_euclid(3))
     }
 
+    /// This speed in units of another.
+    pub fn over(self, other: Speed) -> f64 {
+        self.factor() / other.factor()
+    }
+
     /// So many rungs faster, or slower if negative.
     #[must_use]
     pub fn shifted(self, rungs: i32) -> Speed {

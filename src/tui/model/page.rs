@@ -1,5 +1,8 @@
 //! The page on the screen: its samples, its vertical scale, its turn.
 
+use std::borrow::Cow;
+
+use super::lens::Lens;
 use super::scale::Scale;
 use crate::live::{ColumnSample, History, Sample, Sampling};
 use crate::scene::{Launch, Scene, Shake};
@@ -11,8 +14,10 @@ pub struct Page {
     pub sweep: Sampling,
     /// Samples of this page, and those of the last one that are not written over.
     pub samples: History,
-    /// Vertical scale of the traces.
+    /// Vertical scale of heights.
     pub scale: Scale,
+    /// What small motion is looked at through.
+    pub lens: Option<Lens>,
     /// Where the pen is, s.
     pub now: f64,
     /// No scale is smaller than this, m: the noise of a column at rest is not shown.
@@ -30,6 +35,7 @@ impl Page {
             sweep,
             samples: History::new(sweep.columns + 1),
             scale,
+            lens: None,
             now: 0.0,
             least: LEAST * (scale.top() - scale.bottom()),
         }
@@ -52,7 +58,28 @@ impl Page {
             self.scale = self.scale.grown(bottom, top);
         }
         self.samples.append(history);
+        if let Some(lens) = &mut self.lens {
+            lens.look(self.samples.iter(), &self.sweep, time);
+        }
         turned
+    }
+
+    /// Vertical scale of the traces.
+    pub fn trace_scale(&self) -> &Scale {
+        self.lens.as_ref().map_or(&self.scale, |lens| &lens.scale)
+    }
+
+    /// What is drawn of a column's sample, if anything.
+    pub fn drawn<'a>(
+        &self,
+        side: usize,
+        time: f64,
+        row: &'a ColumnSample,
+    ) -> Option<Cow<'a, ColumnSample>> {
+        match &self.lens {
+            None => Some(Cow::Borrowed(row)),
+            Some(lens) => lens.heights(side, time, row).map(Cow::Owned),
+        }
     }
 
     /// Another sampling of the page, or one of another length; what was drawn before
@@ -60,6 +87,7 @@ impl Page {
     pub fn set_sweep(&mut self, sweep: Sampling) {
         if sweep.span.to_bits() != self.sweep.span.to_bits() {
             self.samples.forget_before(sweep.origin);
+            self.lens = self.lens.take().map(Lens::afresh);
         }
         self.sweep = sweep;
         self.samples.set_capacity(sweep.columns + 1);

@@ -28,7 +28,12 @@ pub struct Beads<'a> {
     pub diameter: f64,
     /// Characters and colours.
     pub theme: Theme,
+    /// Where overlaps are looked into, the deepest so far, m.
+    pub deep: Option<f64>,
 }
+
+/// Dots that the deepest overlap takes where it is looked into, and a gap at most.
+const DEEP: f64 = 2.0;
 
 /// How heights become dots: a bead takes `bead` dots, a metre of gap `gap` dots.
 struct BeadDots {
@@ -50,10 +55,15 @@ impl Beads<'_> {
             ..area
         };
         let mut raster = Raster::new(beads);
-        let drawing = self.drawing(&raster, seen.reduced.len());
-        self.draw_plate(&mut raster, &drawing, seen.floor);
+        let mut drawing = self.drawing(&raster, seen.reduced.len());
+        let close = self
+            .deep
+            .map(|deepest| close_up(&mut drawing, &seen.gaps, deepest));
+        let floor = close.as_ref().map_or(seen.floor, |_| drawing.bottom);
+        self.draw_plate(&mut raster, &drawing, floor);
         for (k, &z) in seen.reduced.iter().enumerate() {
-            let foot = drawing.foot(k, z);
+            let feet = close.as_ref().and_then(|feet| feet.get(k).copied());
+            let foot = feet.unwrap_or_else(|| drawing.foot(k, z));
             ellipse(&mut raster, foot, drawing.bead, self.theme.side(self.index));
             if seen.contacts.get(k) == Some(&true) {
                 self.mark(area, raster.height() - 1 - foot, buffer);
@@ -103,6 +113,23 @@ impl Beads<'_> {
             }
         }
     }
+}
+
+/// Where the beads stand, in dots, where gaps are drawn so large that the deepest overlap is
+/// seen; wide gaps take no more room than that.
+fn close_up(drawing: &mut BeadDots, gaps: &[f64], deepest: f64) -> Vec<i32> {
+    if deepest > 0.0 {
+        drawing.gap = DEEP / deepest;
+    }
+    let (mut foot, mut feet) = (PLATE + 1, Vec::with_capacity(gaps.len()));
+    for g in gaps {
+        #[expect(clippy::cast_possible_truncation, reason = "a few dots")]
+        let dots = (g * drawing.gap).round().clamp(-DEEP, DEEP) as i32;
+        foot = foot.saturating_add(dots);
+        feet.push(foot);
+        foot = foot.saturating_add(drawing.bead);
+    }
+    feet
 }
 
 impl BeadDots {

@@ -3,6 +3,8 @@
 //! It fills from left to right and starts over, as a monitor does: a scrolling
 //! trace would write every cell anew for every dot.
 
+use std::borrow::Cow;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -35,30 +37,21 @@ impl Trace<'_> {
     pub fn render(&self, area: Rect, buffer: &mut Buffer) {
         let mut raster = Raster::new(area);
         let beads = self.theme.side(self.side);
-        let mut last: Option<(i32, &ColumnSample)> = None;
+        let scale = self.page.trace_scale();
+        let mut last: Option<(i32, Cow<ColumnSample>)> = None;
         for (place, sample) in self.page.visible(clear(area)) {
-            let Some(row) = sample.rows.get(self.side).and_then(Option::as_ref) else {
+            let row = sample.rows.get(self.side).and_then(Option::as_ref);
+            let Some(row) = row.and_then(|row| self.page.drawn(self.side, sample.time, row)) else {
                 last = None;
                 continue;
             };
             let x = raster.column(place);
-            let from = last.filter(|(before, _)| *before <= x).unwrap_or((x, row));
-            ground(
-                &mut raster,
-                from,
-                (x, row),
-                &self.page.scale,
-                self.theme.plate(),
-            );
+            let from = last.as_ref().filter(|(before, _)| *before <= x);
+            let from = from.map_or((x, &*row), |(before, row)| (*before, row));
+            ground(&mut raster, from, (x, &row), scale, self.theme.plate());
             for (k, &z) in row.reduced.iter().enumerate() {
                 let before = from.1.reduced.get(k).copied().unwrap_or(z);
-                stroke(
-                    &mut raster,
-                    &self.page.scale,
-                    (from.0, before),
-                    (x, z),
-                    beads,
-                );
+                stroke(&mut raster, scale, (from.0, before), (x, z), beads);
             }
             last = Some((x, row));
         }
