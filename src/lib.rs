@@ -47,8 +47,10 @@
 //!
 //! A run goes so: [`scene::Preset`] reads a TOML file into [`scene::Facts`]; [`scene::Scene`]
 //! is facts that were checked, once. [`physics::build`] makes the [`physics::Engine`] of a scene:
-//! MD on a grid of time steps, exact, adaptive, ED, or a lattice. [`study::Drive`] moves an
-//! engine in slices of work; [`study::measure`] follows one to its end; [`live`] follows two,
+//! MD on a grid of time steps, exact, adaptive, ED, or a lattice. Each of these is a mover, and
+//! only moves; one shell around it starts it, shows it and hands its state over. What acts on
+//! gaps beside contacts is a ground, chosen in one place for all columns. [`study::Drive`] moves
+//! an engine in slices of work; [`study::measure`] follows one to its end; [`live`] follows two,
 //! beside each other on one clock, for the explorer.
 //!
 //! # Words
@@ -65,7 +67,7 @@
 //! | collapse | inelastic collapse: infinitely many collisions of hard beads in a finite time |
 //! | LRV, TC | collision rules of ED: largest relative velocity first; none lost within t_c |
 //! | facts, scene | what a file says; the same, checked |
-//! | mover | what moves a column on a grid of steps; an engine asks it for many at a time |
+//! | mover | what moves beads by one method; its shell starts it, looks at it and hands it over |
 //! | books, ledger | contacts and counts of a run; where its energy went |
 //! | handover | going on from another engine's state, after an edit |
 //! | twin | the same column of hard spheres, beside the soft one |
@@ -78,6 +80,8 @@
 //! | what | touch |
 //! |---|---|
 //! | a contact law | `scene/law.rs` (what it is; the compiler asks for the rest), `physics/contact_law.rs` (its force), a row in `scene/parameters/rows/contact.rs` for each constant, a preset |
+//! | a way to move columns | a file in `physics/` with a `Mover`, which `physics.rs` builds over every `Ground` |
+//! | what acts on gaps beside contacts | `physics/ground.rs`: a `Ground`, its line in `build`; its energy in `physics/matter.rs` |
 //! | a way in which a cluster of the exact engine moves | a file in `physics/exact/plan/`, and its three lines in `plan.rs` |
 //! | a parameter | a row in `scene/parameters/rows.rs`, and what it acts on; `--set`, files, help, errors, panel, undo and sweeps read the row |
 //! | a measured number | a row in `study/quantity/rows.rs`; `run` in all its formats, `sweep` and the explorer read it; and `study/measure.rs`, if nothing measures it yet |

@@ -12,17 +12,20 @@ mod contact_law;
 mod contacts;
 mod course;
 mod ed;
+mod epoch;
 mod exact;
 mod flight;
 mod grid;
+mod ground;
 mod lanes;
 mod lattice;
 mod ledger;
 mod linear_law;
+mod matter;
 mod md;
 mod observation;
 mod plate;
-mod snapshot;
+mod shell;
 pub mod spectrum;
 mod spring;
 mod state;
@@ -190,10 +193,10 @@ fn unsteered(scene: &Scene, state: State) -> Box<dyn Engine> {
     }
     match scene.method {
         Method::Soft(soft) => match soft.solver {
-            Solver::Grid(_) => md::build(scene, state),
-            Solver::Exact => exact::build(scene, state),
-            Solver::Adaptive { tolerance } => adaptive::build(scene, tolerance, state),
+            Solver::Grid(_) => ground::build::<md::GridSteps>(scene, state),
+            Solver::Exact => ground::build::<exact::LinearEvents>(scene, state),
+            Solver::Adaptive { .. } => ground::build::<adaptive::AdaptiveSteps>(scene, state),
         },
-        Method::Hard(_) => ed::build(scene, state),
+        Method::Hard(_) => ground::build::<ed::HardEvents>(scene, state),
     }
 }

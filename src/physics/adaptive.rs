@@ -13,14 +13,15 @@ mod extrapolation;
 mod hermite;
 mod step;
 
-use super::column::{OVER, masses, nothing_to_come, springs};
-use super::flight::{Free, Ground, Shaken, Weight};
+use super::column::{OVER, nothing_to_come};
+use super::epoch::Epoch;
+use super::ground::{Ground, OverGround};
 use super::ledger::{Ledger, Sum};
-use super::observation::Observation;
-use super::snapshot::Snapshot;
-use super::state::{Books, State, weight};
-use super::{Engine, EngineError, Outcome};
-use crate::scene::{Floor, Scene};
+use super::matter::{BeadColumn, Snapshot};
+use super::shell::{Mover, Shell};
+use super::state::{Books, State};
+use super::{Engine, EngineError};
+use crate::scene::{Scene, Solver};
 use equations::Equations;
 use step::{Ahead, Motion};
 
@@ -31,19 +32,32 @@ const INSPECTION: u64 = 64;
 /// Strongly damped contacts under a power law let go ever more slowly, and never open.
 const CREEPING: u64 = 300_000;
 
-/// Builds the engine of an MD scene under a power law.
-pub(super) fn build(scene: &Scene, tolerance: f64, state: State) -> Box<dyn Engine> {
-    let plate = state.plate;
-    match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(_), gravity) => {
-            let ground = Shaken::new(gravity.unwrap_or(0.0), plate);
-            Adaptive::boxed(scene, tolerance, state, ground)
-        }
-        (Floor::Fixed, Some(gravity)) => {
-            let ground = Weight::new(gravity, plate, scene.diameter);
-            Adaptive::boxed(scene, tolerance, state, ground)
-        }
-        (Floor::Fixed, None) => Adaptive::boxed(scene, tolerance, state, Free { plate }),
+/// Steps to a tolerance, for scenes with the adaptive solver.
+pub(super) struct AdaptiveSteps;
+
+impl OverGround for AdaptiveSteps {
+    fn over<G: Ground>(scene: &Scene, state: State, ground: G) -> Box<dyn Engine> {
+        let (Some(soft), Some(contact_time)) = (scene.soft(), scene.contact_time()) else {
+            unreachable!("physics::build hands scenes of soft contacts to this room");
+        };
+        let Solver::Adaptive { tolerance } = soft.solver else {
+            unreachable!("and of this solver");
+        };
+        let equations = Equations::new(BeadColumn::of(scene), soft.attraction, contact_time);
+        let mut y = state.gaps;
+        y.extend(state.rates);
+        y.extend([0.0; 2]);
+        let adaptive = Adaptive {
+            motion: Motion::new(ground, equations, y, tolerance, contact_time),
+            epoch: Epoch::new(state.time),
+            now: Sum::default(),
+            ahead: None,
+            midstep: None,
+            idle: (0, state.time),
+            unchanged: 0,
+            books: state.books,
+        };
+        Shell::boxed(adaptive)
     }
 }
 
@@ -62,80 +76,28 @@ struct Midstep {
 #[derive(Clone)]
 struct Adaptive<G> {
     motion: Motion<G>,
-    masses: Vec<f64>,
-    gravity: f64,
-    /// Simulated time at which the engine started, s.
-    origin: f64,
-    /// Ticks of the ground from there to the epoch.
-    ticks: f64,
+    epoch: Epoch,
     /// End of the last step, s from the epoch.
     now: Sum,
     /// The step that is computed, but not taken yet.
     ahead: Option<Ahead>,
     /// What was last asked for within that step.
     midstep: Option<Midstep>,
-    state: State,
-    over: bool,
+    books: Books,
     /// Steps since time last moved on by a part of the contact time, and when that was, s.
     idle: (u64, f64),
     /// Steps since a contact last began or ended.
     unchanged: u64,
 }
 
-impl<G: Ground + 'static> Adaptive<G> {
-    fn boxed(scene: &Scene, tolerance: f64, state: State, ground: G) -> Box<dyn Engine> {
-        let masses = masses(scene);
-        let contact_time = scene.contact_time().unwrap_or(f64::NAN);
-        let attraction = scene.soft().is_some_and(|soft| soft.attraction);
-        let fall = weight(scene) * contact_time;
-        let equations = Equations::new(springs(scene, &masses), &masses, attraction, fall);
-        let mut y = state.gaps.clone();
-        y.extend(&state.rates);
-        y.extend([0.0; 2]);
-        let mut adaptive = Self {
-            motion: Motion::new(ground, equations, y, tolerance, contact_time),
-            gravity: weight(scene),
-            origin: state.time,
-            ticks: 0.0,
-            now: Sum::default(),
-            ahead: None,
-            midstep: None,
-            over: false,
-            idle: (0, state.time),
-            unchanged: 0,
-            masses,
-            state,
-        };
-        adaptive.settle();
-        if adaptive.motion.closed[0] {
-            let arrival = adaptive.snapshot(&adaptive.motion.y).arrival();
-            adaptive.state.books.bounce.begin(arrival);
-        }
-        let energy = adaptive.snapshot(&adaptive.motion.y).energy();
-        let error = adaptive.state.ledger_error;
-        adaptive.state.books.ledger.open(energy, error);
-        Box::new(adaptive)
-    }
-
+impl<G: Ground> Adaptive<G> {
     fn beads(&self) -> usize {
-        self.masses.len()
+        self.motion.equations.len()
     }
 
     /// The time of the last step's end, s.
     fn reached(&self) -> f64 {
-        self.absolute(self.now.total())
-    }
-
-    /// The simulated time, s, that lies `t` s after the epoch.
-    fn absolute(&self, t: f64) -> f64 {
-        let tick = self.motion.ground.tick();
-        // An infinite tick never passes, and 0 times it is not a number.
-        let epoch = if self.ticks > 0.0 {
-            self.ticks * tick
-        } else {
-            0.0
-        };
-        self.origin + (epoch + t)
+        self.epoch.absolute(self.now.total())
     }
 
     /// Now, s from the epoch, and the column then.
@@ -146,74 +108,38 @@ impl<G: Ground + 'static> Adaptive<G> {
         }
     }
 
-    fn snapshot<'a>(&'a self, y: &'a [f64]) -> Snapshot<'a> {
-        let (gaps, rest) = y.split_at(self.beads());
-        Snapshot {
-            time: self.time(),
-            gaps,
-            rates: &rest[..self.beads()],
-            plate: self.motion.ground.plate(self.seen().0),
-            masses: &self.masses,
-            gravity: self.gravity,
-            springs: &self.motion.equations.springs,
-        }
-    }
-
-    /// What is accounted for, up to now.
-    fn ledger(&self) -> Ledger {
-        let mut ledger = self.state.books.ledger;
-        if let Some(midstep) = &self.midstep {
-            enter(&mut ledger, &midstep.y, self.beads());
-        }
-        ledger
-    }
-
-    /// Notes which contacts began or ended.
-    fn settle(&mut self) {
-        self.motion.settle();
-        let time = self.time();
-        let was_closed = self.state.books.contacts.closed()[0];
-        for (i, &closed) in self.motion.closed.iter().enumerate() {
-            self.state.books.contacts.note(i, closed, time);
-        }
-        if self.motion.closed[0] != was_closed {
-            let arrival = self.snapshot(&self.motion.y).arrival();
-            self.state.books.bounce.turn(!was_closed, arrival);
-        }
-        if !G::PULLS && !self.over && self.state.books.contacts.all_open() {
-            self.over = nothing_to_come(self.motion.rates().iter().copied(), &self.masses, OVER);
-        }
+    fn nothing_to_come(&self) -> bool {
+        let rates = self.motion.rates().iter().copied();
+        nothing_to_come(rates, &self.matter().masses, OVER)
     }
 
     /// Takes the step ahead.
     fn take(&mut self, ahead: Ahead) -> Result<(), EngineError> {
         self.midstep = None;
-        let books = &mut self.state.books;
-        books.steps += u64::from(!ahead.flight);
-        enter(&mut books.ledger, &ahead.y, self.masses.len());
+        let beads = self.beads();
+        self.books.steps += u64::from(!ahead.flight);
+        enter(&mut self.books.ledger, &ahead.y, beads);
         let (changed, h) = (ahead.event.is_some(), ahead.h);
         self.motion.take(ahead);
-        let beads = self.masses.len();
         let gaps = self.motion.y[..beads].iter().copied();
-        self.state.books.measure(gaps);
+        self.books.measure(gaps);
         self.now.add(h);
         let tick = self.motion.ground.tick();
         while self.now.total() >= tick {
             self.now.add(-tick);
-            self.ticks += 1.0;
+            self.epoch.move_on(tick);
             self.motion.ground.move_epoch(tick);
         }
         self.unchanged = if changed { 0 } else { self.unchanged + 1 };
         if changed {
-            self.settle();
+            self.note_contacts();
         }
         // Overdamped contacts never open, but lose their energy.
-        if !G::PULLS && !self.over && self.state.books.steps.is_multiple_of(INSPECTION) {
-            let energy = self.snapshot(&self.motion.y).energy();
-            self.over = energy.elastic <= OVER * energy.kinetic
-                && nothing_to_come(self.motion.rates().iter().copied(), &self.masses, OVER);
+        if !G::PULLS && !self.books.over && self.books.steps.is_multiple_of(INSPECTION) {
+            let energy = self.energy_now();
+            self.books.over = energy.elastic <= OVER * energy.kinetic && self.nothing_to_come();
         }
-        if !G::PULLS && !self.over && self.unchanged > CREEPING {
+        if !G::PULLS && !self.books.over && self.unchanged > CREEPING {
             return Err(EngineError::Creeping {
                 time: self.reached(),
             });
@@ -230,7 +156,7 @@ impl<G: Ground + 'static> Adaptive<G> {
             self.idle = (0, time);
             return Ok(());
         }
-        if *steps > 10_000 + 1000 * self.masses.len() as u64 {
+        if *steps > 10_000 + 1000 * self.motion.equations.len() as u64 {
             return Err(EngineError::Stuck { time, step });
         }
         Ok(())
@@ -245,7 +171,9 @@ fn enter(ledger: &mut Ledger, y: &[f64], beads: usize) {
     }
 }
 
-impl<G: Ground + 'static> Engine for Adaptive<G> {
+impl<G: Ground> Mover for Adaptive<G> {
+    type Matter = BeadColumn;
+
     fn time(&self) -> f64 {
         match &self.midstep {
             Some(midstep) => midstep.time,
@@ -253,12 +181,12 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
         }
     }
 
-    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+    fn advance(&mut self, until: f64, budget: u64) -> Result<bool, EngineError> {
         let mut left = budget;
         while self.time() < until {
             if self.ahead.is_none() {
                 if left == 0 {
-                    return Ok(Outcome::OutOfBudget);
+                    return Ok(false);
                 }
                 left -= 1;
                 let ahead = self.motion.look_ahead(self.now.total());
@@ -268,7 +196,7 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
                 })?);
             }
             let end = self.now.total() + self.ahead.as_ref().map_or(0.0, |ahead| ahead.h);
-            if self.absolute(end) <= until {
+            if self.epoch.absolute(end) <= until {
                 if let Some(ahead) = self.ahead.take() {
                     self.take(ahead)?;
                 }
@@ -281,33 +209,58 @@ impl<G: Ground + 'static> Engine for Adaptive<G> {
                 break;
             }
         }
-        Ok(if self.over {
-            Outcome::Over
-        } else {
-            Outcome::Reached
-        })
-    }
-
-    fn is_over(&self) -> bool {
-        self.over
+        Ok(true)
     }
 
     fn next_event(&self) -> Option<f64> {
         let ahead = self.ahead.as_ref()?;
         ahead.event?;
-        Some(self.absolute(self.now.total() + ahead.h))
+        Some(self.epoch.absolute(self.now.total() + ahead.h))
     }
 
-    fn observe(&self, into: &mut Observation) {
-        self.snapshot(self.seen().1)
-            .observe(&self.state.books, self.ledger(), into);
+    fn note_contacts(&mut self) {
+        self.motion.settle();
+        let time = self.time();
+        let was_closed = self.books.contacts.closed()[0];
+        for (i, &closed) in self.motion.closed.iter().enumerate() {
+            self.books.contacts.note(i, closed, time);
+        }
+        if self.motion.closed[0] != was_closed {
+            let arrival = self.arrival_now();
+            self.books.bounce.turn(!was_closed, arrival);
+        }
+        if !G::PULLS && !self.books.over && self.books.contacts.all_open() {
+            self.books.over = self.nothing_to_come();
+        }
     }
 
-    fn state(&self) -> State {
-        let books = Books {
-            ledger: self.ledger(),
-            ..self.state.books.clone()
-        };
-        self.snapshot(self.seen().1).state(books)
+    fn books(&self) -> &Books {
+        &self.books
+    }
+
+    fn books_mut(&mut self) -> &mut Books {
+        &mut self.books
+    }
+
+    fn ledger(&self) -> Ledger {
+        let mut ledger = self.books.ledger;
+        if let Some(midstep) = &self.midstep {
+            enter(&mut ledger, &midstep.y, self.beads());
+        }
+        ledger
+    }
+
+    fn now(&self) -> Snapshot {
+        let ((t, y), n) = (self.seen(), self.beads());
+        Snapshot {
+            time: self.time(),
+            gaps: y[..n].to_vec(),
+            rates: y[n..2 * n].to_vec(),
+            plate: self.motion.ground.plate(t),
+        }
+    }
+
+    fn matter(&self) -> &BeadColumn {
+        &self.motion.equations.column
     }
 }

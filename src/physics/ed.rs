@@ -7,25 +7,27 @@
 //!
 //! Near inelastic collapse gaps, rates and the times between collisions shrink by hundreds of
 //! decades and may grow again. No digit is lost on the way. Times are counted from an epoch
-//! that moves on with the collisions (see [`epoch`]). Without gravity lengths and times are
+//! that moves on with the collisions (see [`times`]). Without gravity lengths and times are
 //! kept in units so small that numbers do not underflow (see [`closing`]).
 
 mod cascade;
 mod closing;
-mod epoch;
 mod pair;
 mod rule;
 mod tally;
+mod times;
 
-use super::column::{masses, much_to_come, nothing_to_come};
-use super::flight::{Free, Gap, Ground, Shaken, Weight};
+use super::column::{much_to_come, nothing_to_come};
+use super::flight::Gap;
+use super::ground::{Ground, OverGround};
 use super::ledger::{Ledger, Sum};
-use super::observation::Observation;
-use super::snapshot::Snapshot;
-use super::state::{Books, State, weight};
+use super::matter::{BeadColumn, Snapshot};
+use super::observation::{Energy, Observation};
+use super::shell::{Mover, Shell};
+use super::state::{Books, State};
 use super::tournament::Tournament;
-use super::{Engine, EngineError, Outcome};
-use crate::scene::{CollisionRule, Floor, Method, Scene};
+use super::{Engine, EngineError};
+use crate::scene::{CollisionRule, Method, Scene};
 use closing::Closing;
 use pair::{Pair, pairs};
 use rule::{Always, LastCollisions, Rule};
@@ -35,28 +37,19 @@ use tally::Tally;
 /// this part of itself at most. No digit of a double shows it.
 const OVER: f64 = 1e-32;
 
-/// Builds the engine of an ED scene.
-pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let plate = state.plate;
-    match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(_), gravity) => {
-            with_rule(scene, state, Shaken::new(gravity.unwrap_or(0.0), plate))
-        }
-        (Floor::Fixed, Some(gravity)) => {
-            with_rule(scene, state, Weight::new(gravity, plate, scene.diameter))
-        }
-        (Floor::Fixed, None) => with_rule(scene, state, Free { plate }),
-    }
-}
+/// Events, for scenes of hard beads.
+pub(super) struct HardEvents;
 
-fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box<dyn Engine> {
-    match scene.method {
-        Method::Hard(CollisionRule::Tc { contact_time }) => {
-            let contact_time = contact_time * Closing::scale(scene, &state);
-            let rule = LastCollisions::new(scene.n, contact_time);
-            Box::new(Ed::new(scene, state, ground, rule))
+impl OverGround for HardEvents {
+    fn over<G: Ground>(scene: &Scene, state: State, ground: G) -> Box<dyn Engine> {
+        match scene.method {
+            Method::Hard(CollisionRule::Tc { contact_time }) => {
+                let contact_time = contact_time * Closing::scale(scene, &state);
+                let rule = LastCollisions::new(scene.n, contact_time);
+                Shell::boxed(Ed::new(scene, state, ground, rule))
+            }
+            _ => Shell::boxed(Ed::new(scene, state, ground, Always)),
         }
-        _ => Box::new(Ed::new(scene, state, ground, Always)),
     }
 }
 
@@ -65,12 +58,9 @@ fn with_rule<G: Ground + 'static>(scene: &Scene, state: State, ground: G) -> Box
 struct Ed<G, R> {
     ground: G,
     rule: R,
-    masses: Vec<f64>,
+    column: BeadColumn,
     pairs: Vec<Pair>,
-    gravity: f64,
     gaps: Vec<Gap>,
-    /// How many beads rest on the floor and move with it.
-    stack: usize,
     /// When each gap closes; then the stack's take-off, then the epoch's next move.
     queue: Tournament,
     /// Rates of touching gaps during a cascade.
@@ -83,7 +73,7 @@ struct Ed<G, R> {
     scale: f64,
     /// Simulated time at which the engine started, s.
     origin: f64,
-    /// Time from there to the epoch, in units.
+    /// Time from there to the epoch, in units: two doubles, since it moves to any time.
     epoch: Sum,
     /// Whether a gap closes so soon that the epoch has to move to now before that.
     soon: bool,
@@ -101,20 +91,18 @@ struct Ed<G, R> {
     kinetic_at_first: f64,
     /// Events up to which there is no need to look whether the collision is over.
     next_look: u64,
-    over: bool,
-    state: State,
+    books: Books,
 }
 
 impl<G: Ground, R: Rule> Ed<G, R> {
     fn new(scene: &Scene, state: State, ground: G, rule: R) -> Self {
         let n = scene.n;
-        let masses = masses(scene);
-        let pairs = pairs(scene, &masses);
+        let column = BeadColumn::of(scene);
+        let pairs = pairs(scene, &column.masses);
         let scale = Closing::scale(scene, &state);
         let mut ed = Self {
             closing: Closing::of(scene, &pairs, state.closing),
             pairs,
-            gravity: weight(scene),
             gaps: state
                 .gaps
                 .iter()
@@ -125,7 +113,6 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                     t: 0.0,
                 })
                 .collect(),
-            stack: 0,
             queue: Tournament::new(n + 2),
             approach: Tournament::new(n),
             collided: vec![0; n],
@@ -134,50 +121,37 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             origin: state.time,
             epoch: Sum::default(),
             soon: false,
-            soonest: epoch::soonest(n),
+            soonest: times::soonest(n),
             now: 0.0,
             ride_from: 0.0,
             paused: None,
             tally: Tally::default(),
             kinetic_at_first: f64::INFINITY,
             next_look: 0,
-            over: false,
-            masses,
+            column,
             ground,
             rule,
-            state,
+            books: state.books,
         };
-        ed.begin();
+        ed.settle();
         ed
     }
 
-    /// Finds what rests, opens the ledger, and schedules every gap.
-    fn begin(&mut self) {
+    /// Finds what rests.
+    fn settle(&mut self) {
         if G::PULLS && self.ground.pressing(0.0) > 0.0 {
-            let resting = |gap: &Gap| gap.g <= 0.0 && gap.w.abs() <= self.closing.speed;
-            self.stack = self.gaps.iter().take_while(|gap| resting(gap)).count();
+            let resting = self.gaps.iter().take_while(|gap| self.rests(gap));
+            self.ground.set_riders(resting.count());
         }
-        for gap in &mut self.gaps[..self.stack] {
+        for gap in &mut self.gaps[..self.ground.riders()] {
             (gap.g, gap.w) = (0.0, 0.0);
         }
         self.ride_from = self.floor_energy(0.0);
-        let books = &mut self.state.books;
-        for (i, gap) in self.gaps.iter().enumerate() {
-            books.contacts.note(
-                i,
-                gap.g <= 0.0 && gap.w.abs() <= self.closing.speed,
-                self.state.time,
-            );
-        }
-        let (gaps, rates) = self.gaps_and_rates(0.0);
-        let energy = self.snapshot(&gaps, &rates, 0.0).energy();
-        self.kinetic_at_first = energy.kinetic;
-        let error = self.state.ledger_error;
-        self.state.books.ledger.open(energy, error);
-        self.weigh();
-        self.schedule(0, self.gaps.len() - 1);
-        self.schedule_take_off();
-        self.queue.set(self.gaps.len() + 1, self.ground.tick());
+    }
+
+    /// Whether the beads at a gap, which is as it was at the start, touch and do not move.
+    fn rests(&self, gap: &Gap) -> bool {
+        gap.g <= 0.0 && gap.w.abs() <= self.closing.speed
     }
 
     /// Simulated time of `t`, s.
@@ -185,30 +159,9 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.origin + self.epoch.with(t) / self.scale
     }
 
-    /// Gaps, m, and their rates, m/s.
-    fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
-        let seen = |i| {
-            let (g, w) = self.at(i, t);
-            (g / self.scale, w)
-        };
-        (0..self.gaps.len()).map(seen).unzip()
-    }
-
-    fn snapshot<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Snapshot<'a> {
-        Snapshot {
-            time: self.absolute(t),
-            gaps,
-            rates,
-            plate: self.ground.plate(t),
-            masses: &self.masses,
-            gravity: self.gravity,
-            springs: &[],
-        }
-    }
-
     /// Gap `i` and its rate at time `t`.
     fn at(&self, i: usize, t: f64) -> (f64, f64) {
-        self.gaps[i].flown(&self.ground, i == self.stack, t)
+        self.ground.flown(i, &self.gaps[i], t)
     }
 
     /// Brings gap `i` to time `t`.
@@ -224,10 +177,10 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// When gap `i` closes.
     #[inline]
     fn closes(&self, i: usize) -> f64 {
-        if i < self.stack {
+        if i < self.ground.riders() {
             return f64::INFINITY;
         }
-        self.gaps[i].closes(&self.ground, i == self.stack)
+        self.ground.closes(i, &self.gaps[i])
     }
 
     /// Schedules the gaps from `low` to `high`.
@@ -244,7 +197,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
 
     fn schedule_take_off(&mut self) {
         if G::PULLS {
-            let time = if self.stack > 0 {
+            let time = if self.ground.riders() > 0 {
                 self.ground.take_off(self.now)
             } else {
                 f64::INFINITY
@@ -256,11 +209,11 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// Kinetic and gravitational energy per mass of what moves with the floor.
     fn floor_energy(&self, t: f64) -> f64 {
         let (z, v) = self.ground.plate(t).motion();
-        0.5 * v * v + self.gravity * z
+        0.5 * v * v + self.column.gravity * z
     }
 
     fn stack_mass(&self) -> f64 {
-        self.masses[..self.stack].iter().sum()
+        self.column.masses[..self.ground.riders()].iter().sum()
     }
 
     /// Changes how many beads ride the floor, and books the work that it has done on the
@@ -269,14 +222,14 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.riders_change(t);
         let energy = self.floor_energy(t);
         let work = self.stack_mass() * (energy - self.ride_from);
-        self.state.books.ledger.plate_work.add(work);
+        self.books.ledger.plate_work.add(work);
         self.ride_from = energy;
-        self.stack = stack;
+        self.ground.set_riders(stack);
     }
 
     /// The plate falls away from under the stack. Its beads fly on with one velocity.
     fn take_off(&mut self, t: f64) {
-        let stack = self.stack;
+        let stack = self.ground.riders();
         if stack < self.gaps.len() {
             self.sync(stack, t);
         }
@@ -285,7 +238,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             *gap = Gap { g: 0.0, w: 0.0, t };
         }
         let time = self.absolute(t);
-        self.state.books.contacts.note(0, false, time);
+        self.books.contacts.note(0, false, time);
         self.schedule(0, stack.min(self.gaps.len() - 1));
         self.schedule_take_off();
     }
@@ -293,36 +246,45 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// Looks once in N events whether a floor collision without gravity is over. The next
     /// event is given.
     fn look_whether_over(&mut self, (next, when): (usize, f64)) {
-        if G::PULLS || self.over {
+        if G::PULLS || self.books.over {
             return;
         }
         let never = when.is_infinite();
-        if !never && self.state.books.events < self.next_look {
+        if !never && self.books.events < self.next_look {
             return;
         }
-        self.next_look = self.state.books.events + self.gaps.len() as u64;
+        self.next_look = self.books.events + self.gaps.len() as u64;
         let rate = self.gaps.get(next).map_or(0.0, |gap| gap.w);
-        if !never && much_to_come(&self.masses, next, rate, OVER * self.kinetic_at_first) {
+        if !never
+            && much_to_come(
+                &self.column.masses,
+                next,
+                rate,
+                OVER * self.kinetic_at_first,
+            )
+        {
             return;
         }
         let rates = self.gaps.iter().map(|gap| gap.w);
-        self.over = never || nothing_to_come(rates, &self.masses, OVER);
+        self.books.over = never || nothing_to_come(rates, &self.column.masses, OVER);
     }
 }
 
-impl<G: Ground + 'static, R: Rule + 'static> Engine for Ed<G, R> {
+impl<G: Ground, R: Rule> Mover for Ed<G, R> {
+    type Matter = BeadColumn;
+
     fn time(&self) -> f64 {
         self.absolute(self.now)
     }
 
-    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+    fn advance(&mut self, until: f64, budget: u64) -> Result<bool, EngineError> {
         let n = self.gaps.len();
-        let (collisions, mut others) = (self.state.books.events, 0);
+        let (collisions, mut others) = (self.books.events, 0);
         let mut next = self.queue.first();
         loop {
             if let Some((low, high)) = self.paused {
-                if self.state.books.events - collisions >= budget {
-                    return Ok(Outcome::OutOfBudget);
+                if self.books.events - collisions >= budget {
+                    return Ok(false);
                 }
                 self.cascade(low, high, self.now);
                 self.keep_tally();
@@ -336,15 +298,11 @@ impl<G: Ground + 'static, R: Rule + 'static> Engine for Ed<G, R> {
                 let end = self.epoch.until((until - self.origin) * self.scale).min(t);
                 self.now = self.now.max(end);
                 self.look_whether_over(next);
-                return Ok(if self.over {
-                    Outcome::Over
-                } else {
-                    Outcome::Reached
-                });
+                return Ok(true);
             }
             // Take-offs and landings without a collision count too, so that no budget is endless.
-            if self.state.books.events - collisions + others >= budget {
-                return Ok(Outcome::OutOfBudget);
+            if self.books.events - collisions + others >= budget {
+                return Ok(false);
             }
             others += 1;
             self.now = self.now.max(t);
@@ -363,10 +321,6 @@ impl<G: Ground + 'static, R: Rule + 'static> Engine for Ed<G, R> {
         }
     }
 
-    fn is_over(&self) -> bool {
-        self.over
-    }
-
     fn next_event(&self) -> Option<f64> {
         let n = self.gaps.len();
         let next = (0..=n)
@@ -375,30 +329,57 @@ impl<G: Ground + 'static, R: Rule + 'static> Engine for Ed<G, R> {
         next.is_finite().then(|| self.absolute(next))
     }
 
-    fn observe(&self, into: &mut Observation) {
-        let (gaps, rates) = self.gaps_and_rates(self.now);
-        self.snapshot(&gaps, &rates, self.now)
-            .observe(&self.state.books, self.ledger(), into);
-        into.integrals = self.integrals();
+    fn note_contacts(&mut self) {
+        let time = self.time();
+        for i in 0..self.gaps.len() {
+            let closed = self.rests(&self.gaps[i]);
+            self.books.contacts.note(i, closed, time);
+        }
     }
 
-    fn state(&self) -> State {
-        let (gaps, rates) = self.gaps_and_rates(self.now);
-        let books = Books {
-            ledger: self.ledger(),
-            ..self.state.books.clone()
-        };
-        self.snapshot(&gaps, &rates, self.now).state(books)
+    fn begin(&mut self, energy: Energy) {
+        self.kinetic_at_first = energy.kinetic;
+        self.weigh();
+        self.schedule(0, self.gaps.len() - 1);
+        self.schedule_take_off();
+        self.queue.set(self.gaps.len() + 1, self.ground.tick());
     }
-}
 
-impl<G: Ground, R: Rule> Ed<G, R> {
-    /// What is accounted for up to now, with the work on the riders since the stack last
-    /// changed.
+    fn books(&self) -> &Books {
+        &self.books
+    }
+
+    fn books_mut(&mut self) -> &mut Books {
+        &mut self.books
+    }
+
+    /// With the work on the riders since the stack last changed.
     fn ledger(&self) -> Ledger {
-        let mut ledger = self.state.books.ledger;
+        let mut ledger = self.books.ledger;
         let ride = self.floor_energy(self.now) - self.ride_from;
         ledger.plate_work.add(self.stack_mass() * ride);
         ledger
+    }
+
+    fn now(&self) -> Snapshot {
+        let seen = |i| {
+            let (g, w) = self.at(i, self.now);
+            (g / self.scale, w)
+        };
+        let (gaps, rates) = (0..self.gaps.len()).map(seen).unzip();
+        Snapshot {
+            time: self.time(),
+            gaps,
+            rates,
+            plate: self.ground.plate(self.now),
+        }
+    }
+
+    fn matter(&self) -> &BeadColumn {
+        &self.column
+    }
+
+    fn fill_in(&self, into: &mut Observation) {
+        into.integrals = self.integrals();
     }
 }

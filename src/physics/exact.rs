@@ -24,35 +24,53 @@ mod stack;
 mod taylor;
 mod workspace;
 
-use super::flight::{Free, Gap, Ground, Shaken, Weight};
-use super::ledger::Sum;
-use super::observation::Observation;
-use super::snapshot::Snapshot;
+use super::flight::Gap;
+use super::ground::{Ground, OverGround};
+use super::ledger::{Ledger, Sum};
+use super::matter::{BeadColumn, Snapshot};
+use super::observation::{Energy, Observation};
+use super::plate::Plate;
+use super::shell::{Mover, Shell};
 use super::state::{Books, State};
 use super::tournament::Tournament;
-use super::{Engine, EngineError, Outcome};
-use crate::scene::{Floor, Scene};
+use super::{Engine, EngineError};
+use crate::scene::Scene;
 use centre_of_mass::Centre;
 use clock::EpochClock;
 use cluster::Clusters;
 use constants::Constants;
 use over::CollisionEnd;
 use plan::{Flight, Plan, Stacks};
-use workspace::Workspace;
+use workspace::{PADDING, Workspace};
 
-/// Builds the engine of a scene with the exact solver.
-pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let plate = state.plate;
-    match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(_), gravity) => {
-            let ground = Shaken::new(gravity.unwrap_or(0.0), plate);
-            Box::new(Exact::new(scene, state, ground))
-        }
-        (Floor::Fixed, Some(gravity)) => {
-            let ground = Weight::new(gravity, plate, scene.diameter);
-            Box::new(Exact::new(scene, state, ground))
-        }
-        (Floor::Fixed, None) => Box::new(Exact::new(scene, state, Free { plate })),
+/// Events and closed forms, for scenes of linear contacts with the exact solver.
+pub(super) struct LinearEvents;
+
+impl OverGround for LinearEvents {
+    fn over<G: Ground>(scene: &Scene, state: State, ground: G) -> Box<dyn Engine> {
+        let (Some(soft), Some(contact_time)) = (scene.soft(), scene.contact_time()) else {
+            unreachable!("physics::build hands scenes of soft contacts to this room");
+        };
+        let n = scene.n;
+        let clock = EpochClock::new(state.time, contact_time);
+        let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
+        let exact = Exact {
+            constants: Constants::new(scene, &state, soft.attraction, clock.tick()),
+            clock,
+            gaps: state.gaps.iter().zip(&state.rates).map(gap).collect(),
+            modes: vec![ContactMode::Open; n],
+            clusters: Clusters::alone(n),
+            plans: (0..n).map(|_| Plan::Flight(Flight)).collect(),
+            queue: Tournament::new(n),
+            stacks: Stacks::new(),
+            centre: Centre::default(),
+            workspace: Workspace::new(n),
+            end: CollisionEnd::new(),
+            ground,
+            start: state.plate,
+            books: state.books,
+        };
+        Shell::boxed(exact)
     }
 }
 
@@ -84,61 +102,16 @@ struct Exact<G> {
     centre: Centre,
     workspace: Workspace,
     end: CollisionEnd,
-    state: State,
+    /// The plate at the start.
+    start: Plate,
+    books: Books,
 }
 
 impl<G: Ground> Exact<G> {
-    fn new(scene: &Scene, state: State, ground: G) -> Self {
-        let (Some(soft), Some(contact_time)) = (scene.soft(), scene.contact_time()) else {
-            unreachable!("physics::build hands scenes of soft contacts to this room");
-        };
-        let n = scene.n;
-        let clock = EpochClock::new(state.time, contact_time);
-        let gap = |(&g, &w): (&f64, &f64)| Gap { g, w, t: 0.0 };
-        let mut exact = Self {
-            constants: Constants::new(scene, &state, soft.attraction, clock.tick()),
-            clock,
-            gaps: state.gaps.iter().zip(&state.rates).map(gap).collect(),
-            modes: vec![ContactMode::Open; n],
-            clusters: Clusters::alone(n),
-            plans: (0..n).map(|_| Plan::Flight(Flight)).collect(),
-            queue: Tournament::new(n),
-            stacks: Stacks::new(),
-            centre: Centre::default(),
-            workspace: Workspace::new(n),
-            end: CollisionEnd::new(),
-            ground,
-            state,
-        };
-        exact.begin();
-        exact
-    }
-
-    /// Finds the contacts, opens the ledger and plans every cluster.
-    fn begin(&mut self) {
-        let n = self.gaps.len();
-        for i in 0..n {
-            self.modes[i] = self.mode_of(i);
-            let closed = self.modes[i] != ContactMode::Open;
-            self.state.books.contacts.note(i, closed, self.state.time);
-        }
-        let (gaps, rates) = self.gaps_and_rates(0.0);
-        if self.modes[0] != ContactMode::Open {
-            let arrival = self.snapshot(&gaps, &rates, 0.0).arrival();
-            self.state.books.bounce.begin(arrival);
-        }
-        let energy = self.snapshot(&gaps, &rates, 0.0).energy();
-        self.end.energy_at_first = energy.kinetic + energy.elastic;
-        let error = self.state.ledger_error;
-        self.state.books.ledger.open(energy, error);
-        self.regroup(0, n, 0.0);
-        self.centre = self.weighed(Sum::default());
-    }
-
     /// What a gap does by its place and rate. Beads that just touch are in contact.
     fn mode_of(&self, i: usize) -> ContactMode {
         let Gap { g, w, .. } = self.gaps[i];
-        let spring = self.constants.springs[i];
+        let spring = self.constants.column.springs[i];
         let pushing = spring.stiffness * g + spring.dashpot * w <= 0.0;
         if g > 0.0 {
             ContactMode::Open
@@ -149,15 +122,13 @@ impl<G: Ground> Exact<G> {
         }
     }
 
-    fn snapshot<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64], t: f64) -> Snapshot<'a> {
+    /// The column now, at these gaps and rates.
+    fn snapshot(&self, gaps: Vec<f64>, rates: Vec<f64>) -> Snapshot {
         Snapshot {
-            time: self.clock.absolute(t),
+            time: self.time(),
             gaps,
             rates,
-            plate: self.ground.plate(t),
-            masses: &self.constants.masses,
-            gravity: self.constants.gravity,
-            springs: &self.constants.springs,
+            plate: self.ground.plate(self.clock.now),
         }
     }
 
@@ -171,7 +142,7 @@ impl<G: Ground> Exact<G> {
         }
         self.queue.shift(shift);
         self.ground
-            .set_plate(self.state.plate.later(self.clock.epoch()));
+            .set_plate(self.start.later(self.clock.epoch.passed()));
         self.shift_centre(shift);
     }
 
@@ -199,36 +170,34 @@ impl<G: Ground> Exact<G> {
             return Ok(());
         };
         Err(EngineError::Lost {
-            time: self.clock.absolute(t),
+            time: self.clock.epoch.absolute(t),
             bead: i + 1,
             what,
         })
     }
 }
 
-impl<G: Ground + 'static> Engine for Exact<G> {
+impl<G: Ground> Mover for Exact<G> {
+    type Matter = BeadColumn;
+
     fn time(&self) -> f64 {
-        self.clock.absolute(self.clock.now)
+        self.clock.epoch.absolute(self.clock.now)
     }
 
-    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+    fn advance(&mut self, until: f64, budget: u64) -> Result<bool, EngineError> {
         let mut left = budget;
         loop {
             let (i, t) = self.queue.first();
             // As `next_event` says it, so that advancing to there includes the event.
-            if self.clock.absolute(t) > until || t.is_infinite() {
+            if self.clock.epoch.absolute(t) > until || t.is_infinite() {
                 // Not past the next event, which rounding could do.
-                let end = self.clock.since_epoch(until).min(t);
+                let end = self.clock.epoch.since(until).min(t);
                 self.clock.now = self.clock.now.max(end);
-                self.end.over |= !G::PULLS && t.is_infinite();
-                return Ok(if self.end.over {
-                    Outcome::Over
-                } else {
-                    Outcome::Reached
-                });
+                self.books.over |= !G::PULLS && t.is_infinite();
+                return Ok(true);
             }
             if left == 0 {
-                return Ok(Outcome::OutOfBudget);
+                return Ok(false);
             }
             left -= 1;
             // An advance to between two events may have moved `now`, but never past this one.
@@ -239,33 +208,62 @@ impl<G: Ground + 'static> Engine for Exact<G> {
         }
     }
 
-    fn is_over(&self) -> bool {
-        self.end.over
-    }
-
     fn next_event(&self) -> Option<f64> {
         let (_, t) = self.queue.first();
-        t.is_finite().then(|| self.clock.absolute(t))
+        t.is_finite().then(|| self.clock.epoch.absolute(t))
     }
 
-    fn observe(&self, into: &mut Observation) {
-        let (gaps, rates) = self.gaps_and_rates(self.clock.now);
-        self.snapshot(&gaps, &rates, self.clock.now).observe(
-            &self.state.books,
-            self.ledger(),
-            into,
-        );
+    fn note_contacts(&mut self) {
+        let time = self.time();
+        for i in 0..self.gaps.len() {
+            self.modes[i] = self.mode_of(i);
+            let closed = self.modes[i] != ContactMode::Open;
+            self.books.contacts.note(i, closed, time);
+        }
+    }
+
+    fn begin(&mut self, energy: Energy) {
+        self.end.energy_at_first = energy.kinetic + energy.elastic;
+        self.regroup(0, self.gaps.len(), 0.0);
+        self.centre = self.weighed(Sum::default());
+    }
+
+    fn books(&self) -> &Books {
+        &self.books
+    }
+
+    fn books_mut(&mut self) -> &mut Books {
+        &mut self.books
+    }
+
+    /// With what the plans have lost so far.
+    fn ledger(&self) -> Ledger {
+        let mut ledger = self.books.ledger;
+        let mut work = Workspace::new(self.gaps.len());
+        for low in self.clusters.starts() {
+            let (plan, cluster) = (self.plans[low].of_cluster(), self.cluster(low));
+            plan.account(&cluster, self.clock.now, &mut ledger, &mut work);
+        }
+        ledger
+    }
+
+    fn now(&self) -> Snapshot {
+        let n = self.gaps.len();
+        let row = || vec![0.0; n + PADDING];
+        let (mut gaps, mut rates) = (row(), row());
+        self.all_at(self.clock.now, &mut gaps, &mut rates);
+        gaps.truncate(n);
+        rates.truncate(n);
+        self.snapshot(gaps, rates)
+    }
+
+    fn matter(&self) -> &BeadColumn {
+        &self.constants.column
+    }
+
+    fn fill_in(&self, into: &mut Observation) {
         into.integrals = self.integrals();
         // A stack that rests is looked at between its plans only here.
-        into.deepest = gaps.iter().fold(into.deepest, |most, g| most.max(-g));
-    }
-
-    fn state(&self) -> State {
-        let (gaps, rates) = self.gaps_and_rates(self.clock.now);
-        let books = Books {
-            ledger: self.ledger(),
-            ..self.state.books.clone()
-        };
-        self.snapshot(&gaps, &rates, self.clock.now).state(books)
+        into.deepest = into.gaps.iter().fold(into.deepest, |most, g| most.max(-g));
     }
 }

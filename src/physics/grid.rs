@@ -1,7 +1,7 @@
 //! A grid of time steps, and the flights that pass over parts of it: what all engines
 //! of a fixed step share, whatever they move.
 
-use super::{EngineError, Outcome};
+use super::EngineError;
 use crate::scene::{Integrator, Scene};
 
 /// Steps between two looks at the numbers themselves.
@@ -126,9 +126,14 @@ impl Grid {
         self.n - self.skipped - flying
     }
 
-    /// Time since a flight that is not yet at its end began, s.
-    pub fn flown(&self) -> Option<f64> {
-        self.flight.map(|(from, _)| (self.n - from) as f64 * self.h)
+    /// Moves places on to now in a flight that is not yet at its end.
+    pub fn fly_on(&self, places: &mut [f64], rates: &[f64]) {
+        if let Some((from, _)) = self.flight {
+            let flown = (self.n - from) as f64 * self.h;
+            for (place, rate) in places.iter_mut().zip(rates) {
+                *place += flown * rate;
+            }
+        }
     }
 
     /// Whether nothing has changed for so long, since the time of the last change, that
@@ -175,12 +180,8 @@ impl Grid {
         Some(end - from)
     }
 
-    /// What an advance to grid point `target` has come to.
-    pub fn outcome(&self, target: u64, over: bool) -> Outcome {
-        match (self.n >= target, over) {
-            (false, _) => Outcome::OutOfBudget,
-            (true, true) => Outcome::Over,
-            (true, false) => Outcome::Reached,
-        }
+    /// Whether it has come to a grid point.
+    pub fn has_come(&self, target: u64) -> bool {
+        self.n >= target
     }
 }

@@ -12,10 +12,10 @@ mod engine;
 mod forces;
 mod gear;
 mod list;
-mod mover;
 mod stepper;
 mod verlet;
 mod view;
+mod walker;
 
 use super::Engine;
 use super::column::{masses, springs};
@@ -28,9 +28,9 @@ use crate::scene::{Arrangement, Integrator, Scene};
 use engine::Lattice;
 use forces::{LatticeForces, Laws, Rubbing, Smooth, Surface};
 use gear::LatticeGear;
-use mover::PlaneMoved;
 use stepper::PlaneStepper;
 use verlet::LatticeVerlet;
+use walker::PlaneWalking;
 
 /// What a lattice is, whatever moves it.
 #[derive(Clone)]
@@ -109,6 +109,6 @@ fn moved_by<M: PlaneStepper + 'static, L: ContactLaw + 'static, S: Surface + 'st
     let rates = std::mem::take(&mut state.rates);
     let forces = LatticeForces::new(plane.sites, laws, surface, &places);
     let h = plane.settings.step();
-    let mover = PlaneMoved::<M, L, S>::new(places, &rates, h, forces);
-    Box::new(Lattice::new(plane, state, Box::new(mover), rates))
+    let walker = PlaneWalking::<M, L, S>::new(places, &rates, h, forces);
+    Lattice::boxed(plane, state, Box::new(walker), rates)
 }

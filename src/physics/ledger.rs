@@ -44,6 +44,8 @@ pub(crate) struct Ledger {
     pub plate_work: Sum,
     /// What the sum was at the start, edits taken into account.
     balance: f64,
+    /// How wrong the sum was when another engine handed it over, m²/s².
+    inherited: f64,
     /// Largest stored energy seen, the scale of the drift.
     scale: f64,
 }
@@ -66,9 +68,17 @@ impl Ledger {
 
     /// Opens the ledger on the energies now: at the start, or after an edit, which
     /// may change the stored energy by what it likes but not the error made so far.
-    pub fn open(&mut self, stored: Energy, error_so_far: f64) {
-        self.balance = sum(&self.entered(stored)) - error_so_far;
+    pub fn open(&mut self, stored: Energy) {
+        self.balance = sum(&self.entered(stored)) - self.inherited;
         self.scale = self.scale.max(stored_size(&stored));
+    }
+
+    /// For an engine that goes on from the energies now.
+    pub fn handed_over(self, stored: Energy) -> Self {
+        Self {
+            inherited: self.error(stored),
+            ..self
+        }
     }
 
     /// Whether the error exceeds all the energy that there ever was, `least` being a
@@ -81,7 +91,7 @@ impl Ledger {
     }
 
     /// The error so far, m²/s², of the energies now.
-    pub fn error(&self, stored: Energy) -> f64 {
+    fn error(&self, stored: Energy) -> f64 {
         sum(&self.entered(stored)) - self.balance
     }
 

@@ -8,78 +8,55 @@ mod between_steps;
 mod chain;
 mod engine;
 mod gear;
-mod ground;
-mod mover;
+mod pace;
 mod stepper;
 mod verlet;
+mod walker;
 
 use std::marker::PhantomData;
 
 use super::Engine;
-use super::column::{masses, springs};
 use super::contact_law::{self, ContactLaw, UnderLaw};
 use super::grid::Settings;
+use super::ground::{Ground, OverGround};
+use super::matter::BeadColumn;
 use super::spring::Spring;
 use super::state::State;
-use crate::scene::{Floor, Integrator, Scene};
+use crate::scene::{Integrator, Scene};
 use chain::{Equal, Unequal};
 use engine::Md;
 use gear::Gear;
 pub(super) use gear::{CORRECTOR, corrected, predicted};
-use ground::{Free, Ground, Shaken, Weight};
 use stepper::Stepper;
 use verlet::Verlet;
 
-/// Builds the engine of an MD scene on a grid of time steps.
-pub(super) fn build(scene: &Scene, state: State) -> Box<dyn Engine> {
-    let settings = Settings::of(scene);
-    match settings.integrator {
-        Integrator::Gear => with_ground::<Gear>(scene, settings, state),
-        Integrator::Verlet => with_ground::<Verlet>(scene, settings, state),
-    }
-}
+/// Steps on a grid, for scenes that have one.
+pub(super) struct GridSteps;
 
-fn with_ground<S: Stepper + 'static>(
-    scene: &Scene,
-    settings: Settings,
-    state: State,
-) -> Box<dyn Engine> {
-    match (scene.floor, scene.gravity) {
-        (Floor::Vibrating(_), gravity) => {
-            let ground = Shaken::new(gravity.unwrap_or(0.0), state.plate);
-            with_chain::<S, _>(scene, settings, state, ground)
-        }
-        (Floor::Fixed, Some(gravity)) => {
-            let ground = Weight::new(gravity, state.plate);
-            with_chain::<S, _>(scene, settings, state, ground)
-        }
-        (Floor::Fixed, None) => {
-            let ground = Free::new(state.plate);
-            with_chain::<S, _>(scene, settings, state, ground)
+impl OverGround for GridSteps {
+    fn over<G: Ground>(scene: &Scene, state: State, ground: G) -> Box<dyn Engine> {
+        let settings = Settings::of(scene);
+        match settings.integrator {
+            Integrator::Gear => with_chain::<Gear, G>(scene, settings, state, ground),
+            Integrator::Verlet => with_chain::<Verlet, G>(scene, settings, state, ground),
         }
     }
 }
 
-fn with_chain<S: Stepper + 'static, G: Ground + 'static>(
+fn with_chain<S: Stepper + 'static, G: Ground>(
     scene: &Scene,
     settings: Settings,
     state: State,
     ground: G,
 ) -> Box<dyn Engine> {
-    let masses = masses(scene);
-    let springs = springs(scene, &masses);
-    let column = SoftColumn {
-        ground,
-        masses,
-        springs,
-    };
     contact_law::build(
         scene,
         ChainParts {
             scene,
             settings,
             state,
-            column,
+            ground,
+            column: BeadColumn::of(scene),
             stepper: PhantomData::<S>,
         },
     )
@@ -90,32 +67,28 @@ struct ChainParts<'a, S, G> {
     scene: &'a Scene,
     settings: Settings,
     state: State,
-    column: SoftColumn<G>,
+    ground: G,
+    column: BeadColumn,
     stepper: PhantomData<S>,
 }
 
-impl<S: Stepper + 'static, G: Ground + 'static> UnderLaw for ChainParts<'_, S, G> {
+impl<S: Stepper + 'static, G: Ground> UnderLaw for ChainParts<'_, S, G> {
     fn under<L: ContactLaw + 'static>(self, law: impl Fn(Spring) -> L) -> Box<dyn Engine> {
         let Self {
             scene,
             settings,
             state,
+            ground,
             column,
             ..
         } = self;
         let laws: Vec<L> = column.springs.iter().map(|&spring| law(spring)).collect();
         if scene.width == 0.0 {
-            Md::boxed::<S, G, _>(scene, settings, state, column, Equal::new(&laws))
+            let chain = Equal::new(&laws);
+            Md::boxed::<S, G, _>(scene, settings, state, ground, column, chain)
         } else {
             let chain = Unequal::new(&laws, &column.masses);
-            Md::boxed::<S, G, _>(scene, settings, state, column, chain)
+            Md::boxed::<S, G, _>(scene, settings, state, ground, column, chain)
         }
     }
-}
-
-/// What a column is, whatever moves it.
-struct SoftColumn<G> {
-    ground: G,
-    masses: Vec<f64>,
-    springs: Vec<Spring>,
 }

@@ -1,14 +1,14 @@
 //! The whole state of a column, and how it passes from one engine to another.
 
 use super::bounce::Bounce;
-use super::column::{masses, springs};
 use super::contacts::ContactLog;
 use super::course::{Course, Turn};
 use super::ledger::Ledger;
+use super::matter::BeadColumn;
 use super::observation::Observation;
 use super::plate::Plate;
 use super::spring::Spring;
-use crate::scene::{Facts, Floor, Scene, Start, initial_gaps};
+use crate::scene::{Floor, Scene, Start, initial_gaps};
 
 /// What a run keeps account of, whatever moves it.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +22,8 @@ pub(crate) struct Books {
     pub events: u64,
     /// Collapses of hard beads that were closed.
     pub closed: u64,
+    /// Whether the floor collision is over; who goes on from a state finds that out anew.
+    pub over: bool,
 }
 
 /// How far hard beads follow a collapse before they close it.
@@ -82,8 +84,6 @@ pub struct State {
     /// Up to when its motion is settled, s, whatever is edited.
     pub(crate) settled: f64,
     pub(crate) books: Books,
-    /// Error of the ledger so far, m²/s².
-    pub(crate) ledger_error: f64,
     /// How far hard beads follow a collapse before they close it.
     pub(crate) closing: Depth,
     /// Springs of the engine that left this state; none of hard beads.
@@ -178,8 +178,8 @@ impl State {
                 steps: 0,
                 events: 0,
                 closed: 0,
+                over: false,
             },
-            ledger_error: 0.0,
             closing: Depth::default(),
             springs: Vec::new(),
             bonds: Vec::new(),
@@ -224,7 +224,7 @@ impl State {
                 handover.overlaps_loaded = state.load_resting_contacts(scene);
             }
             Some(_) => {
-                let new = springs(scene, &masses(scene));
+                let new = BeadColumn::of(scene).springs;
                 for ((g, old), new) in state.gaps.iter_mut().zip(&self.springs).zip(&new) {
                     if *g < 0.0 {
                         *g = -new.takes_over(old, -*g);
@@ -263,7 +263,6 @@ impl State {
         let Some(gravity) = scene.gravity.filter(|_| scene.is_md()) else {
             return 0;
         };
-        let masses = masses(scene);
         let pull = gravity + self.plate.acceleration();
         let resting = self
             .gaps
@@ -274,17 +273,7 @@ impl State {
         if pull <= 0.0 {
             return 0;
         }
-        let springs = springs(scene, &masses);
-        let mut load = 0.0;
-        for i in (0..resting).rev() {
-            load += masses[i] * pull;
-            self.gaps[i] = -springs[i].overlap_under(load);
-        }
+        BeadColumn::of(scene).rest(&mut self.gaps[..resting], pull);
         resting
     }
-}
-
-/// Gravity of a scene as a number: 0 where there is none.
-pub(crate) fn weight(facts: &Facts) -> f64 {
-    facts.gravity.unwrap_or(0.0)
 }

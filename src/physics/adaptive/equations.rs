@@ -1,14 +1,14 @@
 //! The equations of motion of a column under a power law.
 
 use crate::physics::column::reduced_mass;
-use crate::physics::flight::Ground;
-use crate::physics::spring::Spring;
+use crate::physics::ground::Ground;
+use crate::physics::matter::BeadColumn;
 
 /// The equations of a column. Its state is laid out as gaps, rates, energy lost in contacts,
 /// work of the plate.
 #[derive(Clone)]
 pub(super) struct Equations {
-    pub springs: Vec<Spring>,
+    pub column: BeadColumn,
     pub attraction: bool,
     /// 1/m of each bead.
     inverse: Vec<f64>,
@@ -23,24 +23,26 @@ pub(super) struct Equations {
 const FAINT: f64 = 1e-6;
 
 impl Equations {
-    pub fn new(springs: Vec<Spring>, masses: &[f64], attraction: bool, fall: f64) -> Self {
+    /// Of this column, in a scene of this contact time, s.
+    pub fn new(column: BeadColumn, attraction: bool, contact_time: f64) -> Self {
+        let masses = &column.masses;
         Self {
-            springs,
             attraction,
             inverse: masses.iter().map(|m| 1.0 / m).collect(),
             reduced: (0..masses.len()).map(|i| reduced_mass(masses, i)).collect(),
-            fall,
+            fall: column.gravity * contact_time,
+            column,
         }
     }
 
     /// Number of gaps.
     pub fn len(&self) -> usize {
-        self.springs.len()
+        self.column.springs.len()
     }
 
     /// Force of contact `i` at gap `g` with rate `w`, m/s², and the power that it loses, m²/s³.
     fn push(&self, i: usize, g: f64, w: f64) -> (f64, f64) {
-        let spring = &self.springs[i];
+        let spring = &self.column.springs[i];
         // A step to the end of a contact may try gaps beyond it.
         let x = (-g).max(0.0);
         let (elastic, dashpot) = spring.elastic_and_dashpot(x);
@@ -79,9 +81,7 @@ impl Equations {
             pushed[i] = acceleration - below;
             below = acceleration;
         }
-        if G::PULLS {
-            pushed[0] -= ground.pressing(t);
-        }
+        ground.accelerate(t, pushed);
     }
 
     /// Kinetic energy of the contacts' own motions at these speeds, m²/s².
@@ -98,7 +98,7 @@ impl Equations {
         let mut largest = self.fall;
         for i in 0..n {
             let stored = if closed[i] {
-                2.0 * self.springs[i].energy((-y[i]).max(0.0)) / self.reduced[i]
+                2.0 * self.column.springs[i].energy((-y[i]).max(0.0)) / self.reduced[i]
             } else {
                 0.0
             };

@@ -5,7 +5,8 @@ use super::equations::Equations;
 use super::extrapolation::Extrapolation;
 use super::hermite::{Crossing, HermiteQuintic, Jet};
 use crate::math;
-use crate::physics::flight::{Ground, closing};
+use crate::physics::flight::Gap;
+use crate::physics::ground::Ground;
 
 /// Part of the scene's tolerance that a step may use up, since a contact takes many.
 const SHARE: f64 = 0.1;
@@ -81,7 +82,7 @@ impl<G: Ground> Motion<G> {
         let tolerance = SHARE * tolerance;
         // A new contact has x = wτ: its force grows as τ^γ and τ^(1+β), its rate by these powers.
         // The lowest that is not whole is not smooth.
-        let spring = equations.springs[0];
+        let spring = equations.column.springs[0];
         let roughness = [1.0 + spring.gamma, 2.0 + spring.beta];
         let roughness = roughness.into_iter().filter(|p| p.fract() != 0.0);
         let roughness = roughness.fold(f64::INFINITY, f64::min);
@@ -286,11 +287,7 @@ impl<G: Ground> Motion<G> {
         let (gaps, rates) = (&self.y[..self.equations.len()], self.rates());
         let mut event = (f64::INFINITY, 0);
         for (i, (&g, &w)) in gaps.iter().zip(rates).enumerate() {
-            let touch = if i == 0 {
-                self.ground.hit(now, g, w) - now
-            } else {
-                closing(0.0, g, w)
-            };
+            let touch = self.ground.lasts(i, &Gap { g, w, t: now });
             if touch < event.0 {
                 event = (touch, i);
             }
@@ -315,10 +312,14 @@ impl<G: Ground> Motion<G> {
     fn flown(&self, now: f64, tau: f64) -> Vec<f64> {
         let n = self.equations.len();
         let mut y = self.y.clone();
-        for i in 1..n {
-            y[i] += y[n + i] * tau;
+        for i in 0..n {
+            let gap = Gap {
+                g: y[i],
+                w: y[n + i],
+                t: now,
+            };
+            (y[i], y[n + i]) = self.ground.after(i, &gap, tau);
         }
-        (y[0], y[n]) = self.ground.fall(now, y[0], y[n], now + tau);
         y
     }
 

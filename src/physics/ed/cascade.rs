@@ -4,8 +4,9 @@
 use super::{Ed, Gap, Rule};
 use crate::physics::EngineError;
 use crate::physics::column::{totally_inelastic, velocities};
-use crate::physics::flight::Ground;
-use crate::physics::snapshot::translation;
+use crate::physics::ground::Ground;
+use crate::physics::matter::translation;
+use crate::physics::shell::Mover;
 
 /// Collisions after which a cascade is left for a pause. A caller with a budget then does not
 /// have to wait for the end of a long one.
@@ -128,8 +129,8 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         } else {
             self.floor_acts(pair.reduced * change, t);
         }
-        self.state.books.ledger.lost.add(lost);
-        self.state.books.events += 1;
+        self.books.ledger.lost.add(lost);
+        self.books.events += 1;
         self.collided[j] = self.cascades;
     }
 
@@ -139,7 +140,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         if self.gaps[low..=high].iter().all(|gap| gap.w >= 0.0) {
             return;
         }
-        self.state.books.closed += 1;
+        self.books.closed += 1;
         // Velocities relative to the floor, or to the lowest bead of the block.
         let first = low.saturating_sub(1);
         let on_floor = low == 0;
@@ -147,7 +148,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let rates = self.gaps[low..=high].iter().map(|gap| gap.w);
         let before = velocities(lowest.into_iter().chain(rates));
         let mut after = before.clone();
-        totally_inelastic(&mut after, &self.masses[first..=high], on_floor);
+        totally_inelastic(&mut after, &self.column.masses[first..=high], on_floor);
         self.set_velocities(first, on_floor, &before, &after, t);
     }
 
@@ -164,7 +165,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let (mut lost, mut momentum) = (0.0, 0.0);
         for (k, (u, v)) in before.iter().zip(after).enumerate() {
             let (bead, change) = (first + k, v - u);
-            let m = self.masses[bead];
+            let m = self.column.masses[bead];
             lost -= 0.5 * m * change * (u + v);
             momentum += m * change;
             // Beads that got the same velocity must not part by a rounding.
@@ -182,7 +183,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 self.gaps[bead + 1].w -= change;
             }
         }
-        self.state.books.ledger.lost.add(lost);
+        self.books.ledger.lost.add(lost);
         // Without the floor no momentum is gained.
         if on_floor {
             self.floor_acts(momentum, t);
@@ -210,11 +211,11 @@ impl<G: Ground, R: Rule> Ed<G, R> {
                 stack = j + 1;
             }
         }
-        if stack != self.stack {
+        if stack != self.ground.riders() {
             self.set_stack(stack, t);
         }
         if stack == self.gaps.len() {
-            self.state.books.bounce.rest();
+            self.books.bounce.rest();
         }
     }
 
@@ -223,40 +224,39 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let w = self.gaps[j].w;
         self.gaps[j] = Gap { g: 0.0, w: 0.0, t };
         if w != 0.0 {
-            let m = self.masses[j];
+            let m = self.column.masses[j];
             if j + 1 < self.gaps.len() {
                 self.gaps[j + 1].w += w;
             }
-            self.state.books.ledger.lost.add(0.5 * m * w * w);
+            self.books.ledger.lost.add(0.5 * m * w * w);
             self.floor_acts(-m * w, t);
         }
     }
 
     /// Begins a bounce of the whole column, if the floor's contact is new and it arrives.
     fn floor_contact_begins(&mut self, t: f64) {
-        let books = &self.state.books;
+        let books = &self.books;
         let new = !books.contacts.closed()[0] && !books.bounce.has_arrived();
         if new && self.translation(t) < 0.0 {
-            let (gaps, rates) = self.gaps_and_rates(t);
-            let arrival = self.snapshot(&gaps, &rates, t).arrival();
-            self.state.books.bounce.begin(arrival);
+            let arrival = self.arrival_now();
+            self.books.bounce.begin(arrival);
         }
     }
 
     /// [`Arrival::translation`](crate::physics::bounce::Arrival) at time `t`.
     fn translation(&self, t: f64) -> f64 {
         let rates = (0..self.gaps.len()).map(|i| self.at(i, t).1);
-        translation(rates, &self.masses)
+        translation(rates, &self.column.masses)
     }
 
     /// Notes which contacts of a block began, ended, or did both.
     fn note(&mut self, low: usize, high: usize, t: f64) {
         let time = self.absolute(t);
-        let floor_was_closed = self.state.books.contacts.closed()[0];
+        let floor_was_closed = self.books.contacts.closed()[0];
         for j in low..=high {
             let collided = self.collided[j] == self.cascades;
             let together = self.gaps[j].w == 0.0;
-            let contacts = &mut self.state.books.contacts;
+            let contacts = &mut self.books.contacts;
             match (together, collided) {
                 (true, _) => contacts.note(j, true, time),
                 (false, true) => contacts.touch(j, time),
@@ -266,13 +266,13 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         // The next gap on either side has opened, if it was a contact.
         for j in [low.checked_sub(1), Some(high + 1)].into_iter().flatten() {
             if j < self.gaps.len() && self.gaps[j].w != 0.0 {
-                self.state.books.contacts.note(j, false, time);
+                self.books.contacts.note(j, false, time);
             }
         }
         let floor_hit = low == 0 && (floor_was_closed || self.collided[0] == self.cascades);
-        if floor_hit && !self.state.books.contacts.closed()[0] {
+        if floor_hit && !self.books.contacts.closed()[0] {
             let translation = self.translation(t);
-            self.state.books.bounce.end(translation);
+            self.books.bounce.end(translation);
         }
     }
 }

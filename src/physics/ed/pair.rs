@@ -2,7 +2,7 @@
 
 use super::{Ed, Gap, Rule};
 use crate::physics::column::{reduced_mass, restitutions};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::scene::Scene;
 
 /// The constants of the collisions at a gap.
@@ -52,16 +52,15 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     /// nothing is done, and the answer is false: [`Ed::collide_at`] does all kinds.
     #[inline]
     pub(super) fn pair_meets(&mut self, i: usize, t: f64) -> bool {
-        if i <= self.stack {
+        if i <= self.ground.riders() {
             return false;
         }
         let [below, gap, above @ ..] = &mut self.gaps[i - 1..] else {
             return false;
         };
-        let lowest = i - 1 == self.stack;
-        let (under, rate) = below.flown(&self.ground, lowest, t);
+        let (under, rate) = self.ground.flown(i - 1, below, t);
         let above = above.first_mut();
-        let above = above.map(|gap| (gap.flown(&self.ground, false, t).0, gap));
+        let above = above.map(|gap| (self.ground.flown(i + 1, gap, t).0, gap));
         let over = above.as_ref().map(|(over, _)| *over);
         let (pair, w) = (self.pairs[i], gap.w);
         let parts = w < -self.closing.speed && w.is_finite() && pair.restitution > 0.0;
@@ -79,21 +78,21 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         self.queue.write(i, f64::INFINITY);
         let w = rate - change * pair.below;
         *below = Gap { g: under, w, t };
-        let mut soonest = below.closes(&self.ground, lowest);
+        let mut soonest = self.ground.closes(i - 1, below);
         self.queue.write(i - 1, soonest);
         let mut high = i;
         if let Some((over, gap)) = above {
             let w = gap.w - change * pair.above;
             *gap = Gap { g: over, w, t };
             high += 1;
-            let closes = gap.closes(&self.ground, false);
+            let closes = self.ground.closes(high, gap);
             soonest = soonest.min(closes);
             self.queue.write(high, closes);
         }
         self.queue.play_again(i - 1, high);
         self.look_ahead(soonest, t);
         let time = self.absolute(t);
-        let books = &mut self.state.books;
+        let books = &mut self.books;
         books.ledger.lost.add(lost);
         books.events += 1;
         books.contacts.touch_alone(i, time);

@@ -1,7 +1,7 @@
 //! Which collisions lose energy.
 
 /// Whether a collision loses energy.
-pub(super) trait Rule: Clone + Send {
+pub(super) trait Rule: Clone + Send + 'static {
     /// Whether a collision of beads `below` (None for the floor) and `above` at `t` is elastic.
     /// It is noted as their last one.
     fn elastic(&mut self, below: Option<usize>, above: usize, t: f64) -> bool;

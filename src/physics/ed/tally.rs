@@ -5,7 +5,7 @@
 //! lose. So an event costs O(1), unless the floor acts.
 
 use super::{Ed, Rule};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Sum;
 use crate::physics::observation::{Energies, Integrals};
 use crate::physics::plate::Plate;
@@ -97,13 +97,13 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let plate = self.ground.plate(self.tally.t);
         let tally = &mut self.tally;
         let tau = t - tally.t;
-        let [height, squares, heat] = tally.ahead(tau, self.gravity, plate);
+        let [height, squares, heat] = tally.ahead(tau, self.column.gravity, plate);
         tally.height.add(height);
         tally.squares.add(squares);
         tally.heat.add(heat);
         tally.warmth = 0.0;
         (tally.t, tally.since) = (t, t);
-        let fall = self.gravity * tau;
+        let fall = self.column.gravity * tau;
         tally.moment += tau * (tally.momentum - 0.5 * tally.flying * fall);
         tally.momentum -= tally.flying * fall;
     }
@@ -113,7 +113,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let mut work = 0.0;
         if G::MOVES {
             work = impulse * self.ground.plate(t).velocity();
-            self.state.books.ledger.plate_work.add(work);
+            self.books.ledger.plate_work.add(work);
         }
         if !G::PULLS {
             return;
@@ -154,7 +154,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         if !G::PULLS {
             return;
         }
-        let lost = self.state.books.ledger.lost.total();
+        let lost = self.books.ledger.lost.total();
         self.tally.loses(lost, self.now);
         if self.tally.stale {
             self.settle_tally(self.now);
@@ -168,11 +168,11 @@ impl<G: Ground, R: Rule> Ed<G, R> {
         let plate = self.ground.plate(t);
         let (mut z, mut v) = (plate.position(), plate.velocity());
         let (mut mass, mut moment, mut mean, mut squares) = (0.0, 0.0, 0.0, 0.0);
-        for (i, m) in self.masses.iter().enumerate() {
+        for (i, m) in self.column.masses.iter().enumerate() {
             let (g, w) = self.at(i, t);
             z += g;
             v += w;
-            if i >= self.stack {
+            if i >= self.ground.riders() {
                 mass += m;
                 moment += m * z;
                 // Welford's sums about the mean so far: beads of one velocity have no E_r.
@@ -190,7 +190,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
             relative: 0.5 * squares,
             since: t,
             warmth: 0.0,
-            lost: self.state.books.ledger.lost.total(),
+            lost: self.books.ledger.lost.total(),
             aged: 0.0,
             stale: false,
             ..self.tally
@@ -201,7 +201,7 @@ impl<G: Ground, R: Rule> Ed<G, R> {
     pub(super) fn integrals(&self) -> Option<Integrals> {
         let tally = &self.tally;
         let plate = self.ground.plate(tally.t);
-        let [height, squares, heat] = tally.ahead(self.now - tally.t, self.gravity, plate);
+        let [height, squares, heat] = tally.ahead(self.now - tally.t, self.column.gravity, plate);
         let mass = tally.flying + tally.riding;
         G::PULLS.then(|| Integrals {
             height: tally.height.with(height) / mass,

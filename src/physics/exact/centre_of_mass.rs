@@ -6,9 +6,10 @@
 use super::cluster::Cluster;
 use super::workspace::PADDING;
 use super::{ContactMode, Exact};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Sum;
 use crate::physics::observation::Integrals;
+use crate::physics::shell::Mover;
 
 /// Moves of the epoch after which the centre of mass is computed anew from the beads, which
 /// ends the sum of rounding errors.
@@ -87,22 +88,22 @@ impl Centre {
             let gap = cluster.gaps[i];
             before = (before.0 + gap.g, before.1 + gap.w);
             after = (after.0 + gaps[i], after.1 + rates[i]);
-            let bead = constants.masses[i];
+            let bead = constants.column.masses[i];
             others.mass -= bead;
             others.moment -= bead * before.0;
             others.momentum -= bead * before.1;
             stack.mass += bead;
             stack.moment += bead * after.0;
             stack.momentum += bead * after.1;
-            gained[i] = bead * (after.1 - before.1 + constants.gravity * tau);
+            gained[i] = bead * (after.1 - before.1 + constants.column.gravity * tau);
         }
-        others.fall(tau, constants.gravity);
+        others.fall(tau, constants.column.gravity);
         let mut height = stack.mass * from.swept(tau).0;
         let (mut push, mut above) = (0.0, 0.0);
         for i in (0..m).rev() {
             push += gained[i];
-            above += constants.masses[i];
-            let spring = constants.springs[i];
+            above += constants.column.masses[i];
+            let spring = constants.column.springs[i];
             let damped = spring.dashpot * (gaps[i] - cluster.gaps[i].g);
             height -= above * (push + damped) / spring.stiffness;
         }
@@ -122,7 +123,7 @@ impl<G: Ground> Exact<G> {
     /// The centre of mass at `t`, within the plan of the floor's cluster, whose gaps and
     /// rates then are given.
     pub(super) fn centre_at(&self, t: f64, gaps: &[f64], rates: &[f64]) -> Centre {
-        let gravity = self.constants.gravity;
+        let gravity = self.constants.column.gravity;
         let mut centre = self.centre;
         if self.modes[0] != ContactMode::Pushing {
             centre.fall(t - centre.t, gravity);
@@ -140,7 +141,7 @@ impl<G: Ground> Exact<G> {
         self.centre.t -= shift;
         self.centre.aged = self.centre.aged.saturating_add(1);
         let due = G::PULLS && self.centre.aged >= AGE;
-        if !due || !self.state.books.contacts.all_open() {
+        if !due || !self.books.contacts.all_open() {
             return;
         }
         self.centre = self.weighed(self.centre_now().height);
@@ -156,16 +157,19 @@ impl<G: Ground> Exact<G> {
 
     /// The centre of mass now, computed from the beads, with this integral so far.
     pub(super) fn weighed(&self, height: Sum) -> Centre {
-        let now = self.clock.now;
-        let plate = self.ground.plate(now);
-        let (gaps, rates) = self.gaps_and_rates(now);
-        let (mut z, mut v) = (plate.position(), plate.velocity());
+        let now = self.now();
+        let (mut z, mut v) = (now.plate.position(), now.plate.velocity());
         let mut centre = Centre {
-            t: now,
+            t: self.clock.now,
             height,
             ..Centre::default()
         };
-        for ((g, w), m) in gaps.iter().zip(&rates).zip(&self.constants.masses) {
+        for ((g, w), m) in now
+            .gaps
+            .iter()
+            .zip(&now.rates)
+            .zip(&self.constants.column.masses)
+        {
             z += g;
             v += w;
             centre.mass += m;

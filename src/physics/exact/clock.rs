@@ -1,6 +1,7 @@
 //! The engine's time: an epoch that moves on, and a short time counted from it.
 
 use crate::math;
+use crate::physics::epoch::Epoch;
 
 /// Length of a tick in contact times. A time from the epoch is rounded to a bit of its
 /// size, and a flight through a gap to a bit of its length. Short ticks keep the first
@@ -13,10 +14,7 @@ const BEADS_AN_EVENT: usize = 4;
 /// The epoch, and now.
 #[derive(Clone, Debug)]
 pub(super) struct EpochClock {
-    /// Simulated time at which the engine started, s.
-    origin: f64,
-    /// Ticks between the start and the epoch.
-    ticks: f64,
+    pub epoch: Epoch,
     /// Length of a tick, s. It is a power of two, so that a move of the epoch rounds
     /// nothing but the times it is subtracted from.
     tick: f64,
@@ -31,8 +29,7 @@ pub(super) struct EpochClock {
 impl EpochClock {
     pub fn new(origin: f64, contact_time: f64) -> Self {
         Self {
-            origin,
-            ticks: 0.0,
+            epoch: Epoch::new(origin),
             tick: math::exp2(math::log2(TICK * contact_time).round()),
             now: 0.0,
             events: 0,
@@ -43,21 +40,6 @@ impl EpochClock {
     /// Length of a tick, s.
     pub fn tick(&self) -> f64 {
         self.tick
-    }
-
-    /// Time from the start to the epoch, s.
-    pub fn epoch(&self) -> f64 {
-        self.ticks * self.tick
-    }
-
-    /// The simulated time, s, that lies `t` s after the epoch.
-    pub fn absolute(&self, t: f64) -> f64 {
-        self.origin + (self.epoch() + t)
-    }
-
-    /// How many seconds after the epoch the simulated time `time`, s, lies.
-    pub fn since_epoch(&self, time: f64) -> f64 {
-        (time - self.origin) - self.epoch()
     }
 
     /// Counts an event that ends a plan of `taken` s.
@@ -78,9 +60,8 @@ impl EpochClock {
             return None;
         }
         self.events = 0;
-        let ticks = (self.now / self.tick).floor();
-        let shift = ticks * self.tick;
-        self.ticks += ticks;
+        let shift = (self.now / self.tick).floor() * self.tick;
+        self.epoch.move_on(shift);
         self.now -= shift;
         Some(shift)
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::constants::Constants;
 use super::{ContactMode, Gap};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 
 /// Which gaps form clusters.
 #[derive(Clone, Debug)]

@@ -3,26 +3,21 @@
 use super::oscillator::Oscillator;
 use super::taylor::PHASE;
 use crate::math;
-use crate::physics::column::{masses, reduced_mass, springs};
-use crate::physics::spring::Spring;
-use crate::physics::state::{State, weight};
+use crate::physics::column::reduced_mass;
+use crate::physics::matter::BeadColumn;
+use crate::physics::state::State;
 use crate::scene::Scene;
 
 /// The constants of a soft column.
 #[derive(Clone, Debug)]
 pub(super) struct Constants {
-    /// Mass of each bead, in mean bead masses.
-    pub masses: Vec<f64>,
+    pub column: BeadColumn,
     /// 1/m of each bead.
     inverse_masses: Vec<f64>,
-    /// Spring and dashpot of each contact.
-    pub springs: Vec<Spring>,
     /// Each contact as an oscillator; None where it is overdamped.
     pub oscillators: Vec<Option<Oscillator>>,
     /// Whether a contact may pull its beads together at its end, as the linear law says.
     pub attraction: bool,
-    /// g, m/s²; 0 without gravity.
-    pub gravity: f64,
     /// g + Aω², m/s²: the most that gravity and plate accelerate the lowest gap downwards.
     pub pull: f64,
     /// The least rate, 1/s, for which a series is made. A cluster in which no force acts
@@ -33,21 +28,19 @@ pub(super) struct Constants {
 impl Constants {
     /// The constants of a scene from a state on, for a clock with this tick, s.
     pub fn new(scene: &Scene, state: &State, attraction: bool, tick: f64) -> Self {
-        let masses = masses(scene);
-        let springs = springs(scene, &masses);
+        let column = BeadColumn::of(scene);
+        let masses = &column.masses;
         let shake = state.plate.amplitude * math::powi(state.plate.omega, 2);
-        let contacts = springs.iter().enumerate();
+        let contacts = column.springs.iter().enumerate();
         Self {
             oscillators: contacts
-                .map(|(i, spring)| Oscillator::new(*spring, reduced_mass(&masses, i)))
+                .map(|(i, spring)| Oscillator::new(*spring, reduced_mass(masses, i)))
                 .collect(),
             inverse_masses: masses.iter().map(|m| 1.0 / m).collect(),
             attraction,
-            gravity: weight(scene),
-            pull: weight(scene) + shake,
+            pull: column.gravity + shake,
             slowest: PHASE / tick,
-            masses,
-            springs,
+            column,
         }
     }
 

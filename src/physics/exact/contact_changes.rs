@@ -2,8 +2,9 @@
 
 use super::{ContactMode, Exact};
 use crate::physics::column::reduced_mass;
-use crate::physics::flight::Ground;
-use crate::physics::snapshot::translation;
+use crate::physics::ground::Ground;
+use crate::physics::matter::{Matter, translation};
+use crate::physics::shell::Mover;
 use crate::physics::spring::Spring;
 
 impl<G: Ground> Exact<G> {
@@ -21,11 +22,10 @@ impl<G: Ground> Exact<G> {
             return;
         }
         self.gaps[i].g = 0.0;
-        self.state.books.events += 1;
-        self.state
-            .books
+        self.books.events += 1;
+        self.books
             .contacts
-            .note(i, closed, self.clock.absolute(t));
+            .note(i, closed, self.clock.epoch.absolute(t));
         if i == 0 {
             self.note_floor(closed, t);
         }
@@ -36,9 +36,9 @@ impl<G: Ground> Exact<G> {
     fn without_force(&mut self, i: usize) {
         let Spring {
             stiffness, dashpot, ..
-        } = self.constants.springs[i];
+        } = self.constants.column.springs[i];
         let gap = &mut self.gaps[i];
-        if dashpot * dashpot <= stiffness * reduced_mass(&self.constants.masses, i) {
+        if dashpot * dashpot <= stiffness * reduced_mass(&self.constants.column.masses, i) {
             gap.g = -dashpot * gap.w / stiffness;
         } else {
             gap.w = -stiffness * gap.g / dashpot;
@@ -48,7 +48,7 @@ impl<G: Ground> Exact<G> {
     /// The floor's contact begins or ends at `t`. Where a column that has arrived meets the
     /// floor again, that is part of the same bounce, and the O(N) of a look is saved.
     fn note_floor(&mut self, closed: bool, t: f64) {
-        if closed && self.state.books.bounce.has_arrived() {
+        if closed && self.books.bounce.has_arrived() {
             return;
         }
         let n = self.gaps.len();
@@ -61,11 +61,13 @@ impl<G: Ground> Exact<G> {
         }
         let (gaps, rates) = (&work.a[..n], &work.b[..n]);
         if closed {
-            let arrival = self.snapshot(gaps, rates, t).arrival();
-            self.state.books.bounce.begin(arrival);
+            let arrival = self
+                .matter()
+                .arrival(&self.snapshot(gaps.to_vec(), rates.to_vec()));
+            self.books.bounce.begin(arrival);
         } else {
-            let leaving = translation(rates.iter().copied(), &self.constants.masses);
-            self.state.books.bounce.end(leaving);
+            let leaving = translation(rates.iter().copied(), &self.constants.column.masses);
+            self.books.bounce.end(leaving);
         }
         self.workspace = work;
     }

@@ -3,7 +3,7 @@
 use super::cluster::Cluster;
 use super::plan::Plan;
 use super::{ContactMode, Exact};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 
 impl<G: Ground> Exact<G> {
     /// The cluster that starts at `low`.
@@ -56,7 +56,7 @@ impl<G: Ground> Exact<G> {
             f64::INFINITY,
         );
         let plan = Plan::of(&cluster, &mut self.stacks, &mut self.workspace);
-        self.state.books.steps += u64::from(plan.is_step());
+        self.books.steps += u64::from(plan.is_step());
         let ends = plan.of_cluster().ends(&cluster);
         self.queue.write(low, ends);
         self.plans[low] = plan;

@@ -4,7 +4,7 @@
 use super::plan::{Collision, Flight, Plan};
 use super::propagation::brought;
 use super::{ContactMode, Exact, Gap};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 
 impl<G: Ground> Exact<G> {
     /// Gap `i`, in flight between others, closes at `t`, and nothing else reaches its beads
@@ -57,10 +57,8 @@ impl<G: Ground> Exact<G> {
         }
         let (high, tau) = (self.clusters.end(low), oscillator.lasts);
         let (lost, end) = (oscillator.lost(w, tau), oscillator.at(w, tau));
-        self.state.books.ledger.lost.add(lost);
-        self.state
-            .books
-            .measure(std::iter::once(w * oscillator.depth));
+        self.books.ledger.lost.add(lost);
+        self.books.measure(std::iter::once(w * oscillator.depth));
         for j in low..high {
             let column = (&self.ground, &self.constants);
             let gap = collision.gap_after(column, (j, self.gaps[j]), tau, end);
@@ -70,7 +68,7 @@ impl<G: Ground> Exact<G> {
         for j in low..high {
             self.clusters.join(j, j + 1);
             self.plans[j] = Plan::Flight(Flight);
-            let closes = self.gaps[j].closes(&self.ground, j == 0);
+            let closes = self.ground.closes(j, &self.gaps[j]);
             self.queue.write(j, closes);
         }
         self.queue.play_again(low, high - 1);

@@ -21,7 +21,7 @@ use super::ContactMode;
 use super::centre_of_mass::Centre;
 use super::cluster::Cluster;
 use super::workspace::Workspace;
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Ledger;
 
 /// How a cluster moves.

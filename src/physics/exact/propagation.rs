@@ -2,10 +2,8 @@
 
 use super::cluster::Cluster;
 use super::plan::{Flight, Plan};
-use super::workspace::{PADDING, Workspace};
 use super::{ContactMode, Exact, Gap};
-use crate::physics::flight::Ground;
-use crate::physics::ledger::Ledger;
+use crate::physics::ground::Ground;
 
 /// Lengths, m, and speeds, m/s, below this are set to zero: they would decay into subnormal
 /// numbers, which are slow.
@@ -24,7 +22,7 @@ impl<G: Ground> Exact<G> {
     pub(super) fn finish(&mut self, low: usize, t: f64) -> Option<(usize, ContactMode)> {
         let plan = self.plans[low].of_cluster();
         let (deepest, change) = (plan.deepest(), plan.change(&self.cluster(low)));
-        self.state.books.measure(deepest.into_iter());
+        self.books.measure(deepest.into_iter());
         self.bring(low, t);
         change
     }
@@ -42,7 +40,7 @@ impl<G: Ground> Exact<G> {
             self.queue.get(low),
         );
         let (plan, work) = (self.plans[low].of_cluster(), &mut self.workspace);
-        plan.account(&cluster, t, &mut self.state.books.ledger, work);
+        plan.account(&cluster, t, &mut self.books.ledger, work);
         plan.at(&cluster, t, &mut work.a, &mut work.b);
         let flies = cluster.flies();
         if G::PULLS && low == 0 && self.modes[0] == ContactMode::Pushing {
@@ -55,7 +53,7 @@ impl<G: Ground> Exact<G> {
         }
         if !flies {
             let gaps = self.gaps[gaps].iter().map(|gap| gap.g);
-            self.state.books.measure(gaps);
+            self.books.measure(gaps);
         }
         let spent = std::mem::replace(&mut self.plans[low], Plan::Flight(Flight));
         spent.retire(work);
@@ -68,18 +66,7 @@ impl<G: Ground> Exact<G> {
         plan.at(&self.cluster(low), t, gaps, rates);
     }
 
-    /// All gaps and rates at `t`.
-    pub(super) fn gaps_and_rates(&self, t: f64) -> (Vec<f64>, Vec<f64>) {
-        let n = self.gaps.len();
-        let row = || vec![0.0; n + PADDING];
-        let (mut gaps, mut rates) = (row(), row());
-        self.all_at(t, &mut gaps, &mut rates);
-        gaps.truncate(n);
-        rates.truncate(n);
-        (gaps, rates)
-    }
-
-    /// Writes all gaps and rates at `t`, to rows as long as [`Workspace`]'s.
+    /// Writes all gaps and rates at `t`, to rows as long as those of the workspace.
     pub(super) fn all_at(&self, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
         // Upwards: what a cluster overwrites behind its end is written next.
         for low in self.clusters.starts() {
@@ -89,17 +76,6 @@ impl<G: Ground> Exact<G> {
 
     /// Gap `i`, in flight, and its rate at `t`.
     pub(super) fn flight(&self, i: usize, t: f64) -> (f64, f64) {
-        self.gaps[i].flown(&self.ground, i == 0, t)
-    }
-
-    /// What is accounted for, up to now.
-    pub(super) fn ledger(&self) -> Ledger {
-        let mut ledger = self.state.books.ledger;
-        let mut work = Workspace::new(self.gaps.len());
-        for low in self.clusters.starts() {
-            let (plan, cluster) = (self.plans[low].of_cluster(), self.cluster(low));
-            plan.account(&cluster, self.clock.now, &mut ledger, &mut work);
-        }
-        ledger
+        self.ground.flown(i, &self.gaps[i], t)
     }
 }

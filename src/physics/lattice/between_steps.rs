@@ -1,76 +1,25 @@
-//! What is done between the steps of a lattice: contacts are noted, flights are passed through,
-//! its end is looked for, and the ledger is inspected.
+//! What is done between the steps of a lattice: flights are passed through, its end is looked
+//! for, and the ledger is inspected.
 
 use super::engine::Lattice;
 use crate::physics::EngineError;
 use crate::physics::column::OVER;
 use crate::physics::flight::closing;
+use crate::physics::shell::Mover;
 
 impl Lattice {
-    /// Writes down which contacts began or ended in the last step; the rates are those
-    /// of now.
-    pub(super) fn note_contacts(&mut self) {
-        let time = self.grid.time();
-        let web = self.mover.web_mut();
-        let n = web.sites.count();
-        let (mut loud, mut on_floor) = (false, false);
-        for foot in &mut web.list.feet {
-            if foot.noted != foot.closed {
-                let w = self.rates[n + foot.i as usize];
-                loud |= 0.5 * w * w > self.quiet;
-            }
-            foot.noted = foot.closed;
-            on_floor |= foot.closed;
-        }
-        self.turned.clear();
-        for (k, bond) in web.list.bonds.iter_mut().enumerate() {
-            if bond.noted != bond.closed {
-                bond.noted = bond.closed;
-                self.turned.push(k);
-            }
-        }
-        for at in 0..self.turned.len() {
-            let (k, web) = (self.turned[at], self.mover.web());
-            let bond = web.list.bonds[k];
-            let (_, w) = web.gap(k, self.mover.places(), &self.rates);
-            // Half the reduced mass is a quarter.
-            loud |= 0.25 * w * w > self.quiet;
-            let slot = self.slot([bond.i, bond.j]);
-            self.state.books.contacts.note(slot, bond.closed, time);
-        }
-        if loud {
-            self.busy = time;
-        }
-        if self.state.books.contacts.closed()[0] != on_floor {
-            self.state.books.contacts.note(0, on_floor, time);
-            let arrival = self.view(self.mover.places(), &self.rates).arrival();
-            self.state.books.bounce.turn(on_floor, arrival);
-        }
-    }
-
-    /// The contact of the log that a pair has.
-    fn slot(&mut self, pair: [u32; 2]) -> usize {
-        if let Some(&slot) = self.slots.get(&pair) {
-            return slot;
-        }
-        let slot = self.state.books.contacts.add();
-        self.state.bonds.push(pair);
-        self.slots.insert(pair, slot);
-        slot
-    }
-
     /// A contact counts while it could change the energy by [`OVER`] of it or more,
     /// if all beads had such contacts.
     pub(super) fn set_quiet(&mut self) {
         let kinetic: f64 = self.rates.iter().map(|w| 0.5 * w * w).sum();
-        self.quiet = OVER * kinetic / self.mover.web().sites.count() as f64;
+        self.quiet = OVER * kinetic / self.walker.web().sites.count() as f64;
     }
 
     /// Whether a contact that counts is closed; the rates are those of now.
     fn is_loud(&self) -> bool {
-        let web = self.mover.web();
+        let web = self.walker.web();
         let n = web.sites.count();
-        let (places, quiet) = (self.mover.places(), self.quiet);
+        let (places, quiet) = (self.walker.places(), self.quiet);
         let foot_is_loud = web.list.feet.iter().any(|foot| {
             let i = foot.i as usize;
             let (gap, w) = (foot.gap + places[n + i], self.rates[n + i]);
@@ -89,32 +38,32 @@ impl Lattice {
     /// The collision is over when the floor was touched, and for the paper's time no
     /// contact has counted.
     fn look_for_the_end(&mut self) {
-        let (touched, _) = self.state.books.contacts.floor();
-        self.over |= touched.is_some() && self.grid.time() - self.busy >= self.plane.wait;
+        let (touched, _) = self.books.contacts.floor();
+        self.books.over |= touched.is_some() && self.grid.time() - self.busy >= self.plane.wait;
     }
 
     /// Goes on in one flight to just before the next contact, if no contact has been
     /// closed since the last look.
     fn look_for_flight(&mut self) -> Result<(), EngineError> {
-        let contacts = &self.state.books.contacts;
+        let contacts = &self.books.contacts;
         if !contacts.all_open() || !self.grid.is_settled(contacts.last()) {
             return Ok(());
         }
         let mut ahead = self.next_contact().min(self.room());
         if ahead > 0.0 && self.room() < self.next_contact() {
             // The way is free as far as the list tells: a new one tells more.
-            self.mover.list_anew();
+            self.walker.list_anew();
             ahead = self.next_contact().min(self.room());
         }
-        self.grid.take_off(ahead, self.over)
+        self.grid.take_off(ahead, self.books.over)
     }
 
     /// Time to the next contact of a pair in the list, or with the floor, in free
     /// flight, s; the rates are those of now.
     fn next_contact(&self) -> f64 {
-        let web = self.mover.web();
+        let web = self.walker.web();
         let n = web.sites.count();
-        let places = self.mover.places();
+        let places = self.walker.places();
         let mut next = f64::INFINITY;
         for foot in &web.list.feet {
             let (gap, w) = (
@@ -144,18 +93,19 @@ impl Lattice {
 
     /// Time for which the list is good in free flight, s.
     fn room(&self) -> f64 {
-        let n = self.mover.web().sites.count();
+        let n = self.walker.web().sites.count();
         let (across, up) = self.rates.split_at(n);
         let beads = across.iter().zip(up);
         let fastest = beads.map(|(u, v)| u * u + v * v).fold(0.0, f64::max).sqrt();
-        let left = self.mover.web().list.slack() - self.mover.web().list.moved(self.mover.places());
+        let left =
+            self.walker.web().list.slack() - self.walker.web().list.moved(self.walker.places());
         left / fastest
     }
 
     /// Passes through flights, up to grid point `last` at most.
     pub(super) fn fly(&mut self, last: u64) -> Result<(), EngineError> {
         while let Some(steps) = self.grid.fly(last) {
-            self.mover.coast(steps);
+            self.walker.coast(steps);
             self.look_for_the_end();
             self.look_for_flight()?;
         }
@@ -164,13 +114,12 @@ impl Lattice {
 
     /// Every so often, whatever the slices a run is advanced in.
     pub(super) fn housekeeping(&mut self) -> Result<(), EngineError> {
-        self.state
-            .books
+        self.books
             .ledger
             .lost
-            .add(self.mover.web().lost * self.grid.h);
-        self.mover.web_mut().lost = 0.0;
-        self.mover.clear();
+            .add(self.walker.web().lost * self.grid.h);
+        self.walker.web_mut().lost = 0.0;
+        self.walker.clear();
         self.take_rates();
         self.set_quiet();
         self.measure();
@@ -179,7 +128,7 @@ impl Lattice {
         }
         self.look_for_the_end();
         self.look_for_flight()?;
-        let sound = self.mover.places().iter().sum::<f64>().is_finite();
+        let sound = self.walker.places().iter().sum::<f64>().is_finite();
         if sound && !self.grid.is_inspected() {
             return Ok(());
         }
@@ -198,8 +147,8 @@ impl Lattice {
 
     /// Sees how deep contacts are.
     fn measure(&mut self) {
-        let web = self.mover.web();
-        let (places, sites) = (self.mover.places(), &web.sites);
+        let web = self.walker.web();
+        let (places, sites) = (self.walker.places(), &web.sites);
         let n = sites.count();
         let feet = web.list.feet.iter();
         let on_floor = feet.map(|foot| foot.gap + places[n + foot.i as usize]);
@@ -210,12 +159,11 @@ impl Lattice {
             // (r² − d²)/(r + d) of a small overlap.
             bond.offset.excess_when_moved(dx, dy) / (2.0 * sites.diameter)
         });
-        self.state.books.measure(on_floor.chain(between));
+        self.books.measure(on_floor.chain(between));
     }
 
     /// Whether the ledger shows that the integration blows up.
     pub(super) fn lost_the_energy(&self) -> bool {
-        let energy = self.view(self.mover.places(), &self.rates).energy();
-        self.ledger().is_broken(energy, 0.0)
+        self.ledger().is_broken(self.energy_now(), 0.0)
     }
 }

@@ -1,31 +1,33 @@
-//! A lattice on a grid of steps, as an engine.
+//! What moves a lattice on a grid of steps.
 
 use std::collections::BTreeMap;
 
 use super::Plane;
-use super::mover::PlaneMover;
-use super::view::View;
+use super::walker::PlaneWalker;
 use crate::physics::grid::Grid;
 use crate::physics::ledger::Ledger;
-use crate::physics::observation::Observation;
-use crate::physics::state::{Books, Depth, State};
-use crate::physics::{Engine, EngineError, Outcome};
+use crate::physics::matter::Snapshot;
+use crate::physics::plate::Plate;
+use crate::physics::shell::{Mover, Shell};
+use crate::physics::state::{Books, State};
+use crate::physics::{Engine, EngineError};
 
-/// A lattice on a grid of steps. What moves it is known when the program is compiled, and
-/// asked for many steps at a time; all else stands here once.
+/// A lattice on a grid of steps. What takes them is known when the program is compiled, and
+/// asked for many at a time; all else stands here once.
 #[derive(Clone)]
 pub(super) struct Lattice {
-    pub(super) mover: Box<dyn PlaneMover>,
+    pub(super) walker: Box<dyn PlaneWalker>,
     pub(super) plane: Plane,
     pub(super) grid: Grid,
-    pub(super) state: State,
+    pub(super) books: Books,
+    /// The pairs whose contacts the log has, after the floor's.
+    pub(super) bonds: Vec<[u32; 2]>,
     /// Which contact of the log a pair has.
     pub(super) slots: BTreeMap<[u32; 2], usize>,
     /// Energy of a contact below which it does not count any more, m²/s².
     pub(super) quiet: f64,
     /// When a contact last counted, s.
     pub(super) busy: f64,
-    pub(super) over: bool,
     /// Rates now, where they are wanted one by one.
     pub(super) rates: Vec<f64>,
     /// Room for the bonds that began or ended in the last step.
@@ -33,56 +35,34 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    /// Opens the books of a lattice in that state, which `mover` has begun to move from these
-    /// rates.
-    pub(super) fn new(
+    /// A lattice in that state, which `walker` has begun to move from these rates.
+    pub(super) fn boxed(
         plane: Plane,
         state: State,
-        mover: Box<dyn PlaneMover>,
+        walker: Box<dyn PlaneWalker>,
         rates: Vec<f64>,
-    ) -> Self {
+    ) -> Box<dyn Engine> {
         let h = plane.settings.step();
         let slots = (1..).zip(&state.bonds).map(|(slot, bond)| (*bond, slot));
         let mut lattice = Self {
-            mover,
+            walker,
             plane,
             grid: Grid::new(state.time, h),
             slots: slots.collect(),
             quiet: 0.0,
             busy: state.time,
-            over: false,
             rates,
             turned: Vec::new(),
-            state,
+            bonds: state.bonds,
+            books: state.books,
         };
         lattice.set_quiet();
-        lattice.note_contacts();
-        let places = lattice.mover.places();
-        if lattice.state.books.contacts.closed()[0] {
-            let arrival = lattice.view(places, &lattice.rates).arrival();
-            lattice.state.books.bounce.begin(arrival);
-        }
-        let places = lattice.mover.places();
-        let energy = lattice.view(places, &lattice.rates).energy();
-        let error = lattice.state.ledger_error;
-        lattice.state.books.ledger.open(energy, error);
-        lattice
-    }
-
-    pub(super) fn view<'a>(&'a self, places: &'a [f64], rates: &'a [f64]) -> View<'a> {
-        View {
-            time: self.grid.time(),
-            places,
-            rates,
-            sites: &self.mover.web().sites,
-            list: &self.mover.web().list,
-            springs: (self.plane.floor, self.plane.pair),
-        }
+        Shell::boxed(lattice)
     }
 
     /// Does up to `steps` steps, to where contacts change; how many it did.
     fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
-        let (done, changed) = self.mover.run(steps);
+        let (done, changed) = self.walker.run(steps);
         self.grid.stepped(done);
         if changed {
             self.take_rates();
@@ -95,41 +75,29 @@ impl Lattice {
     }
 
     pub(super) fn take_rates(&mut self) {
-        self.mover.rates(&mut self.rates);
+        self.walker.rates(&mut self.rates);
     }
 
-    /// Displacements and rates now, those of a flight included.
-    pub(super) fn now(&self) -> (Vec<f64>, Vec<f64>) {
-        let mut places = self.mover.places().to_vec();
-        let mut rates = Vec::new();
-        self.mover.rates(&mut rates);
-        if let Some(flown) = self.grid.flown() {
-            for (place, rate) in places.iter_mut().zip(&rates) {
-                *place += rate * flown;
-            }
+    /// The contact of the log that a pair has.
+    fn slot(&mut self, pair: [u32; 2]) -> usize {
+        if let Some(&slot) = self.slots.get(&pair) {
+            return slot;
         }
-        (places, rates)
-    }
-
-    /// What is accounted for, up to now.
-    pub(super) fn ledger(&self) -> Ledger {
-        let mut ledger = self.state.books.ledger;
-        ledger.lost.add(self.mover.web().lost * self.grid.h);
-        ledger
-    }
-
-    /// Steps done.
-    fn steps(&self) -> u64 {
-        self.state.books.steps + self.grid.steps()
+        let slot = self.books.contacts.add();
+        self.bonds.push(pair);
+        self.slots.insert(pair, slot);
+        slot
     }
 }
 
-impl Engine for Lattice {
+impl Mover for Lattice {
+    type Matter = Self;
+
     fn time(&self) -> f64 {
         self.grid.time()
     }
 
-    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+    fn advance(&mut self, until: f64, budget: u64) -> Result<bool, EngineError> {
         let target = self.grid.last_step(until);
         let mut left = budget;
         loop {
@@ -140,47 +108,84 @@ impl Engine for Lattice {
                 if self.lost_the_energy() {
                     return Err(self.unstable());
                 }
-                return Ok(self.grid.outcome(target, self.over));
+                return Ok(self.grid.has_come(target));
             }
             left -= self.run(steps)?;
         }
     }
 
-    fn is_over(&self) -> bool {
-        self.over
-    }
-
-    fn next_event(&self) -> Option<f64> {
-        None
-    }
-
-    fn observe(&self, into: &mut Observation) {
-        let (places, rates) = self.now();
-        let view = self.view(&places, &rates);
-        view.observe(&self.state.books, self.ledger(), into);
-        into.steps = self.steps();
-    }
-
-    fn state(&self) -> State {
-        let (places, rates) = self.now();
-        let books = Books {
-            ledger: self.ledger(),
-            steps: self.steps(),
-            ..self.state.books.clone()
-        };
-        let energy = self.view(&places, &rates).energy();
-        State {
-            time: self.time(),
-            ledger_error: books.ledger.error(energy),
-            closing: Depth::default(),
-            gaps: places,
-            rates,
-            plate: self.state.plate,
-            course: self.state.course.clone(),
-            settled: self.state.settled,
-            springs: vec![self.plane.floor, self.plane.pair],
-            bonds: self.state.bonds.clone(),
-            books,
+    /// Writes down which contacts began or ended in the last step; the rates are those
+    /// of now.
+    fn note_contacts(&mut self) {
+        let time = self.grid.time();
+        let web = self.walker.web_mut();
+        let n = web.sites.count();
+        let (mut loud, mut on_floor) = (false, false);
+        for foot in &mut web.list.feet {
+            if foot.noted != foot.closed {
+                let w = self.rates[n + foot.i as usize];
+                loud |= 0.5 * w * w > self.quiet;
+            }
+            foot.noted = foot.closed;
+            on_floor |= foot.closed;
         }
+        self.turned.clear();
+        for (k, bond) in web.list.bonds.iter_mut().enumerate() {
+            if bond.noted != bond.closed {
+                bond.noted = bond.closed;
+                self.turned.push(k);
+            }
+        }
+        for at in 0..self.turned.len() {
+            let (k, web) = (self.turned[at], self.walker.web());
+            let bond = web.list.bonds[k];
+            let (_, w) = web.gap(k, self.walker.places(), &self.rates);
+            // Half the reduced mass is a quarter.
+            loud |= 0.25 * w * w > self.quiet;
+            let slot = self.slot([bond.i, bond.j]);
+            self.books.contacts.note(slot, bond.closed, time);
+        }
+        if loud {
+            self.busy = time;
+        }
+        if self.books.contacts.closed()[0] != on_floor {
+            self.books.contacts.note(0, on_floor, time);
+            let arrival = self.arrival_now();
+            self.books.bounce.turn(on_floor, arrival);
+        }
+    }
+
+    fn books(&self) -> &Books {
+        &self.books
+    }
+
+    fn books_mut(&mut self) -> &mut Books {
+        &mut self.books
+    }
+
+    fn ledger(&self) -> Ledger {
+        let mut ledger = self.books.ledger;
+        ledger.lost.add(self.walker.web().lost * self.grid.h);
+        ledger
+    }
+
+    fn steps(&self) -> u64 {
+        self.books.steps + self.grid.steps()
+    }
+
+    fn now(&self) -> Snapshot {
+        let (mut gaps, mut rates) = (self.walker.places().to_vec(), Vec::new());
+        self.walker.rates(&mut rates);
+        self.grid.fly_on(&mut gaps, &rates);
+        Snapshot {
+            time: self.time(),
+            gaps,
+            rates,
+            plate: Plate::default(),
+        }
+    }
+
+    fn matter(&self) -> &Self {
+        self
     }
 }

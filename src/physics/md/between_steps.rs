@@ -1,67 +1,48 @@
-//! What is done between the steps of a soft column: contacts are noted, flights are passed
-//! through, and the ledger is inspected.
+//! What is done between the steps of a soft column: flights are passed through, and the ledger
+//! is inspected.
 
 use super::engine::Md;
+use crate::physics::EngineError;
 use crate::physics::column::{OVER, nothing_to_come};
 use crate::physics::flight::closing;
-use crate::physics::{Engine, EngineError};
+use crate::physics::shell::Mover;
 
 impl Md {
-    /// Looks which contacts began or ended in the last step.
-    pub(super) fn note_contacts(&mut self) {
-        let time = self.time();
-        let floor_was_closed = self.state.books.contacts.closed()[0];
-        self.mover.gaps(&mut self.row);
-        for (i, &g) in self.row.iter().enumerate() {
-            self.state.books.contacts.note(i, g <= 0.0, time);
-        }
-        self.state.books.measure(self.row.iter().copied());
-        let floor_is_closed = self.state.books.contacts.closed()[0];
-        if floor_is_closed != floor_was_closed {
-            let (gaps, rates) = (self.gaps(), self.rates());
-            let arrival = self.snapshot(&gaps, &rates).arrival();
-            self.state.books.bounce.turn(floor_is_closed, arrival);
-        }
-        if !self.mover.pulls() && !self.over && self.state.books.contacts.all_open() {
-            self.over = self.nothing_to_come();
-        }
-    }
-
     pub(super) fn nothing_to_come(&self) -> bool {
-        nothing_to_come(self.rates().into_iter(), &self.masses, OVER)
+        nothing_to_come(self.walker.rates().into_iter(), &self.column.masses, OVER)
     }
 
     /// Goes on in one flight to just before the next contact, if nothing pulls and no
     /// contact has been closed since the last look. The row has the gaps of now.
     pub(super) fn look_for_flight(&mut self) -> Result<(), EngineError> {
-        let contacts = &self.state.books.contacts;
-        if self.mover.pulls() || !contacts.all_open() || !self.grid.is_settled(contacts.last()) {
+        let contacts = &self.books.contacts;
+        if self.walker.pulls() || !contacts.all_open() || !self.grid.is_settled(contacts.last()) {
             return Ok(());
         }
-        let rates = self.rates();
+        let rates = self.walker.rates();
         let gaps = self.row.iter().zip(&rates);
         let next = gaps
             .map(|(&g, &w)| closing(0.0, g, w))
             .fold(f64::INFINITY, f64::min);
-        self.grid.take_off(next, self.over)
+        self.grid.take_off(next, self.books.over)
     }
 
     /// Passes through a flight, up to grid point `last` at most.
     pub(super) fn fly(&mut self, last: u64) {
         if let Some(steps) = self.grid.fly(last) {
-            self.mover.coast(steps);
+            self.walker.coast(steps);
         }
     }
 
     /// Every so often, whatever the slices a run is advanced in.
     pub(super) fn housekeeping(&mut self) -> Result<(), EngineError> {
-        let power = self.mover.take_power();
-        power.account(&mut self.state.books.ledger, self.grid.h);
-        self.mover.clear();
-        self.mover.gaps(&mut self.row);
+        let power = self.walker.take_power();
+        power.account(&mut self.books.ledger, self.grid.h);
+        self.walker.clear();
+        self.walker.gaps(&mut self.row);
         self.look_for_flight()?;
         let sound = self.row.iter().sum::<f64>().is_finite();
-        self.state.books.measure(self.row.iter().copied());
+        self.books.measure(self.row.iter().copied());
         if sound && !self.grid.is_inspected() {
             return Ok(());
         }
@@ -69,16 +50,16 @@ impl Md {
             return Err(self.unstable());
         }
         // Overdamped contacts of heavy pairs never open, but spend all they have.
-        if !self.mover.pulls() && !self.over {
-            let energy = self.snapshot(&self.gaps(), &self.rates()).energy();
-            self.over = energy.elastic <= OVER * energy.kinetic && self.nothing_to_come();
+        if !self.walker.pulls() && !self.books.over {
+            let energy = self.energy_now();
+            self.books.over = energy.elastic <= OVER * energy.kinetic && self.nothing_to_come();
         }
         Ok(())
     }
 
     /// Whether the ledger shows that the integration blows up.
     pub(super) fn lost_the_energy(&self) -> bool {
-        let energy = self.snapshot(&self.gaps(), &self.rates()).energy();
-        self.ledger().is_broken(energy, self.least_energy)
+        self.ledger()
+            .is_broken(self.energy_now(), self.least_energy)
     }
 }

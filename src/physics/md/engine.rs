@@ -1,101 +1,64 @@
-//! A soft column on a grid of steps, as an engine.
+//! What moves a soft column on a grid of steps.
 
-use super::SoftColumn;
 use super::chain::Chain;
-use super::ground::Ground;
-use super::mover::{Moved, Mover};
+use super::pace::Pace;
 use super::stepper::Stepper;
+use super::walker::{Walker, Walking};
 use crate::physics::grid::{Grid, Settings};
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Ledger;
-use crate::physics::observation::Observation;
-use crate::physics::snapshot::Snapshot;
-use crate::physics::spring::Spring;
-use crate::physics::state::{Books, State, weight};
-use crate::physics::{Engine, EngineError, Outcome};
+use crate::physics::matter::{BeadColumn, Snapshot};
+use crate::physics::shell::{Mover, Shell};
+use crate::physics::state::{Books, State};
+use crate::physics::{Engine, EngineError};
 use crate::scene::Scene;
 
-/// A soft column on a grid of steps. What moves it is known when the program is compiled,
-/// and asked for many steps at a time; all else stands here once.
+/// A soft column on a grid of steps. What takes them is known when the program is compiled,
+/// and asked for many at a time; all else stands here once.
 #[derive(Clone)]
 pub(super) struct Md {
-    pub(super) mover: Box<dyn Mover>,
-    pub(super) masses: Vec<f64>,
-    pub(super) springs: Vec<Spring>,
-    pub(super) gravity: f64,
+    pub(super) walker: Box<dyn Walker>,
+    pub(super) column: BeadColumn,
     pub(super) steps_per_contact: f64,
     /// Energy in which the column would fall by a diameter, m²/s².
     pub(super) least_energy: f64,
     pub(super) grid: Grid,
-    pub(super) state: State,
-    pub(super) over: bool,
+    pub(super) books: Books,
     /// Room for the gaps of a moment.
     pub(super) row: Vec<f64>,
 }
 
 impl Md {
-    pub(super) fn boxed<S: Stepper + 'static, G: Ground + 'static, C: Chain + 'static>(
+    pub(super) fn boxed<S: Stepper + 'static, G: Ground, C: Chain + 'static>(
         scene: &Scene,
         settings: Settings,
         state: State,
-        column: SoftColumn<G>,
+        ground: G,
+        column: BeadColumn,
         mut chain: C,
     ) -> Box<dyn Engine> {
-        let SoftColumn {
-            mut ground,
-            masses,
-            springs,
-        } = column;
         let h = settings.step();
-        ground.set_step(h);
+        let ground = Pace::new(ground, h);
         let stepper = S::start(&state.gaps, &state.rates, h, &mut chain, &ground);
-        let mut md = Self {
-            mover: Box::new(Moved::new(stepper, ground, chain)),
-            gravity: weight(scene),
-            least_energy: weight(scene) * scene.diameter * masses.iter().sum::<f64>(),
+        let md = Self {
+            walker: Box::new(Walking::new(stepper, ground, chain)),
+            least_energy: column.gravity * scene.diameter * column.masses.iter().sum::<f64>(),
             grid: Grid::new(state.time, h),
-            over: false,
-            masses,
-            springs,
+            column,
             steps_per_contact: settings.steps_per_contact,
-            state,
+            books: state.books,
             row: Vec::new(),
         };
-        md.open();
-        Box::new(md)
-    }
-
-    /// Finds the contacts and opens the ledger.
-    fn open(&mut self) {
-        self.note_contacts();
-        let (gaps, rates) = (self.gaps(), self.rates());
-        if self.state.books.contacts.closed()[0] {
-            let arrival = self.snapshot(&gaps, &rates).arrival();
-            self.state.books.bounce.begin(arrival);
-        }
-        let energy = self.snapshot(&gaps, &rates).energy();
-        let error = self.state.ledger_error;
-        self.state.books.ledger.open(energy, error);
-    }
-
-    pub(super) fn snapshot<'a>(&'a self, gaps: &'a [f64], rates: &'a [f64]) -> Snapshot<'a> {
-        Snapshot {
-            time: self.time(),
-            gaps,
-            rates,
-            plate: self.mover.plate(),
-            masses: &self.masses,
-            gravity: self.gravity,
-            springs: &self.springs,
-        }
+        Shell::boxed(md)
     }
 
     /// Does up to `steps` steps, to where contacts change; how many it did.
     fn run(&mut self, steps: u64) -> Result<u64, EngineError> {
-        let (done, changed) = self.mover.run(steps);
+        let (done, changed) = self.walker.run(steps);
         self.grid.stepped(done);
         if changed {
             self.note_contacts();
-            if self.over && self.lost_the_energy() {
+            if self.books.over && self.lost_the_energy() {
                 return Err(self.unstable());
             }
         }
@@ -111,42 +74,16 @@ impl Md {
             steps_per_contact: self.steps_per_contact,
         }
     }
-
-    pub(super) fn rates(&self) -> Vec<f64> {
-        self.mover.rates()
-    }
-
-    /// The gaps now, those of a flight included.
-    pub(super) fn gaps(&self) -> Vec<f64> {
-        let mut gaps = Vec::new();
-        self.mover.gaps(&mut gaps);
-        if let Some(flown) = self.grid.flown() {
-            for (g, w) in gaps.iter_mut().zip(self.rates()) {
-                *g += flown * w;
-            }
-        }
-        gaps
-    }
-
-    /// What is accounted for, up to now.
-    pub(super) fn ledger(&self) -> Ledger {
-        let mut ledger = self.state.books.ledger;
-        self.mover.power().account(&mut ledger, self.grid.h);
-        ledger
-    }
-
-    /// Steps done.
-    fn steps(&self) -> u64 {
-        self.state.books.steps + self.grid.steps()
-    }
 }
 
-impl Engine for Md {
+impl Mover for Md {
+    type Matter = BeadColumn;
+
     fn time(&self) -> f64 {
         self.grid.time()
     }
 
-    fn advance(&mut self, until: f64, budget: u64) -> Result<Outcome, EngineError> {
+    fn advance(&mut self, until: f64, budget: u64) -> Result<bool, EngineError> {
         let target = self.grid.last_step(until);
         let mut left = budget;
         loop {
@@ -157,32 +94,62 @@ impl Engine for Md {
                 if self.lost_the_energy() {
                     return Err(self.unstable());
                 }
-                return Ok(self.grid.outcome(target, self.over));
+                return Ok(self.grid.has_come(target));
             }
             left -= self.run(steps)?;
         }
     }
 
-    fn is_over(&self) -> bool {
-        self.over
+    /// Looks which contacts began or ended in the last step.
+    fn note_contacts(&mut self) {
+        let time = self.time();
+        let floor_was_closed = self.books.contacts.closed()[0];
+        self.walker.gaps(&mut self.row);
+        for (i, &g) in self.row.iter().enumerate() {
+            self.books.contacts.note(i, g <= 0.0, time);
+        }
+        self.books.measure(self.row.iter().copied());
+        let floor_is_closed = self.books.contacts.closed()[0];
+        if floor_is_closed != floor_was_closed {
+            let arrival = self.arrival_now();
+            self.books.bounce.turn(floor_is_closed, arrival);
+        }
+        if !self.walker.pulls() && !self.books.over && self.books.contacts.all_open() {
+            self.books.over = self.nothing_to_come();
+        }
     }
 
-    fn next_event(&self) -> Option<f64> {
-        None
+    fn books(&self) -> &Books {
+        &self.books
     }
 
-    fn observe(&self, into: &mut Observation) {
-        self.snapshot(&self.gaps(), &self.rates())
-            .observe(&self.state.books, self.ledger(), into);
-        into.steps = self.steps();
+    fn books_mut(&mut self) -> &mut Books {
+        &mut self.books
     }
 
-    fn state(&self) -> State {
-        let books = Books {
-            ledger: self.ledger(),
-            steps: self.steps(),
-            ..self.state.books.clone()
-        };
-        self.snapshot(&self.gaps(), &self.rates()).state(books)
+    fn ledger(&self) -> Ledger {
+        let mut ledger = self.books.ledger;
+        self.walker.power().account(&mut ledger, self.grid.h);
+        ledger
+    }
+
+    fn steps(&self) -> u64 {
+        self.books.steps + self.grid.steps()
+    }
+
+    fn now(&self) -> Snapshot {
+        let (mut gaps, rates) = (Vec::new(), self.walker.rates());
+        self.walker.gaps(&mut gaps);
+        self.grid.fly_on(&mut gaps, &rates);
+        Snapshot {
+            time: self.time(),
+            gaps,
+            rates,
+            plate: self.walker.plate(),
+        }
+    }
+
+    fn matter(&self) -> &BeadColumn {
+        &self.column
     }
 }

@@ -5,8 +5,9 @@
 //! their Taylor series. The corrector adds c_k Δ to each, where Δ = (h²/2) g̈ − r₂.
 
 use super::chain::{Chain, Forces};
-use super::ground::Ground;
+use super::pace::Pace;
 use super::stepper::{Power, Stepper};
+use crate::physics::ground::Ground;
 use crate::physics::lanes::{
     BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours,
 };
@@ -70,7 +71,7 @@ impl Stepper for Gear {
         rates: &[f64],
         h: f64,
         chain: &mut C,
-        ground: &G,
+        ground: &Pace<G>,
     ) -> Self {
         let grouped_gaps = grouped(gaps, BEYOND);
         let forces = Forces::new(chain, (gaps[0], &grouped_gaps), rates);
@@ -93,7 +94,7 @@ impl Stepper for Gear {
     fn step<C: Chain, G: Ground>(
         &mut self,
         chain: &mut C,
-        ground: &mut G,
+        ground: &mut Pace<G>,
         power: &mut Power,
     ) -> bool {
         ground.step();
@@ -129,7 +130,7 @@ impl Stepper for Gear {
         self.derivative(0)
     }
 
-    fn rates<C: Chain, G: Ground>(&self, _: &C, _: &G) -> Vec<f64> {
+    fn rates<C: Chain, G: Ground>(&self, _: &C, _: &Pace<G>) -> Vec<f64> {
         self.derivative(1).map(|r| r / self.h).collect()
     }
 

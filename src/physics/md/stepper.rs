@@ -1,7 +1,8 @@
 //! What every fixed-step integrator does.
 
 use super::chain::Chain;
-use super::ground::Ground;
+use super::pace::Pace;
+use crate::physics::ground::Ground;
 use crate::physics::lanes::Lane;
 use crate::physics::ledger::Ledger;
 
@@ -13,14 +14,14 @@ pub(super) trait Stepper: Clone + Send {
         rates: &[f64],
         h: f64,
         chain: &mut C,
-        ground: &G,
+        ground: &Pace<G>,
     ) -> Self;
     /// One step, the floor's included; whether any gap may have changed between
     /// contact and flight.
     fn step<C: Chain, G: Ground>(
         &mut self,
         chain: &mut C,
-        ground: &mut G,
+        ground: &mut Pace<G>,
         power: &mut Power,
     ) -> bool;
     /// Flies on for `steps` steps at constant rates.
@@ -28,7 +29,7 @@ pub(super) trait Stepper: Clone + Send {
     /// The gaps, m.
     fn gaps(&self) -> impl Iterator<Item = f64>;
     /// The rates, m/s.
-    fn rates<C: Chain, G: Ground>(&self, chain: &C, ground: &G) -> Vec<f64>;
+    fn rates<C: Chain, G: Ground>(&self, chain: &C, ground: &Pace<G>) -> Vec<f64>;
     /// Clears numbers too small to matter: in free flight derivatives decay into
     /// subnormals, which cost 20 to 40 times as much to compute with.
     fn clear(&mut self);

@@ -5,8 +5,9 @@
 //! rates are kept as they are before the former.
 
 use super::chain::{Chain, Forces};
-use super::ground::Ground;
+use super::pace::Pace;
 use super::stepper::{Power, Stepper};
+use crate::physics::ground::Ground;
 use crate::physics::lanes::{
     BEYOND, LANES, Lane, Number, changed, flush, flushed, grouped, neighbours, singly,
 };
@@ -39,7 +40,7 @@ impl Stepper for Verlet {
         rates: &[f64],
         h: f64,
         chain: &mut C,
-        ground: &G,
+        ground: &Pace<G>,
     ) -> Self {
         let grouped_gaps = grouped(gaps, BEYOND);
         let forces = Forces::new(chain, (gaps[0], &grouped_gaps), rates);
@@ -64,7 +65,7 @@ impl Stepper for Verlet {
     fn step<C: Chain, G: Ground>(
         &mut self,
         chain: &mut C,
-        ground: &mut G,
+        ground: &mut Pace<G>,
         power: &mut Power,
     ) -> bool {
         let (was, before) = self.floor;
@@ -97,7 +98,7 @@ impl Stepper for Verlet {
             .take(self.n)
     }
 
-    fn rates<C: Chain, G: Ground>(&self, chain: &C, ground: &G) -> Vec<f64> {
+    fn rates<C: Chain, G: Ground>(&self, chain: &C, ground: &Pace<G>) -> Vec<f64> {
         let (first, rest) = self.forces.accelerations(chain, ground.pull());
         let kicked = self
             .rates

@@ -7,7 +7,7 @@ use super::super::constants::Constants;
 use super::super::oscillator::Oscillator;
 use super::super::workspace::Workspace;
 use super::{ClusterPlan, ContactMode};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Ledger;
 
 /// A contact that closes and opens while nothing else touches its two bodies. The gaps
@@ -46,8 +46,7 @@ impl Collision {
         let above = &cluster.modes[place + 1..];
         let alone = place <= 1 && above.iter().all(|mode| *mode == ContactMode::Open);
         let contact = cluster.low + place;
-        let heavy = G::PULLS && contact == 0;
-        if !alone || heavy || g != 0.0 || w >= 0.0 {
+        if !alone || cluster.ground.bends(contact) || g != 0.0 || w >= 0.0 {
             return None;
         }
         let collision = Self::new(constants, contact, w)?;
@@ -85,12 +84,7 @@ impl Collision {
         if j == self.contact {
             return now;
         }
-        let Gap { g, w: rate, t: t0 } = gap;
-        let (g, rate) = if G::PULLS && j == 0 {
-            ground.fall(t0, g, rate, t0 + tau)
-        } else {
-            (g + rate * tau, rate)
-        };
+        let (g, rate) = ground.after(j, &gap, tau);
         let (over, now) = now;
         let share = self.share(constants, j);
         (

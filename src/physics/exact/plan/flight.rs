@@ -3,7 +3,7 @@
 use super::super::cluster::Cluster;
 use super::super::workspace::Workspace;
 use super::{ClusterPlan, ContactMode};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Ledger;
 
 /// A gap that no force acts on: only gravity and plate bend the lowest one.
@@ -12,7 +12,7 @@ pub(in super::super) struct Flight;
 
 impl<G: Ground> ClusterPlan<G> for Flight {
     fn ends(&self, cluster: &Cluster<G>) -> f64 {
-        cluster.gaps[0].closes(cluster.ground, cluster.low == 0)
+        cluster.ground.closes(cluster.low, &cluster.gaps[0])
     }
 
     fn change(&self, cluster: &Cluster<G>) -> Option<(usize, ContactMode)> {
@@ -20,7 +20,7 @@ impl<G: Ground> ClusterPlan<G> for Flight {
     }
 
     fn at(&self, cluster: &Cluster<G>, t: f64, gaps: &mut [f64], rates: &mut [f64]) {
-        (gaps[0], rates[0]) = cluster.gaps[0].flown(cluster.ground, cluster.low == 0, t);
+        (gaps[0], rates[0]) = cluster.ground.flown(cluster.low, &cluster.gaps[0], t);
     }
 
     fn account(&self, _: &Cluster<G>, _: f64, _: &mut Ledger, _: &mut Workspace) {}

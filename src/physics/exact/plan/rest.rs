@@ -8,9 +8,9 @@ use super::super::cluster::Cluster;
 use super::super::stack::{LARGEST, Stack, Transient};
 use super::super::workspace::Workspace;
 use super::{ClusterPlan, ContactMode};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Ledger;
-use crate::physics::snapshot::Snapshot;
+use crate::physics::matter::{Matter, Snapshot};
 
 /// Plans in a row without a contact change on the floor, after which it is tried whether a
 /// stack is at rest.
@@ -88,8 +88,11 @@ impl Rest {
         made.retain(|&beads, _| beads <= LARGEST || beads == m);
         let stack = made.entry(m).or_insert_with(|| {
             let constants = cluster.constants;
-            let (springs, masses) = (&constants.springs[..m], &constants.masses[..m]);
-            Arc::new(Stack::new(springs, masses, constants.gravity, plate))
+            let (springs, masses) = (
+                &constants.column.springs[..m],
+                &constants.column.masses[..m],
+            );
+            Arc::new(Stack::new(springs, masses, constants.column.gravity, plate))
         });
         let (gaps, rates) = gaps_and_rates(cluster, m);
         let transient = Arc::make_mut(stack).rest(&gaps, &rates, plate.phase, most)?;
@@ -148,23 +151,20 @@ impl<G: Ground> ClusterPlan<G> for Rest {
         let (mut after, mut after_rates) = (vec![0.0; m], vec![0.0; m]);
         self.stack
             .at(&self.transient, tau, &now, &mut after, &mut after_rates);
-        let energy = |gaps: &[f64], rates: &[f64], t: f64| {
+        let energy = |gaps: Vec<f64>, rates: Vec<f64>, t: f64| {
             let stack = Snapshot {
                 time: t,
                 gaps,
                 rates,
                 plate: cluster.ground.plate(t),
-                masses: &cluster.constants.masses[..m],
-                gravity: cluster.constants.gravity,
-                springs: &cluster.constants.springs,
             };
-            let energy = stack.energy();
+            let energy = cluster.constants.column.energy(&stack);
             energy.kinetic + energy.potential + energy.elastic
         };
         ledger.lost.add(lost);
         if G::MOVES {
-            let began = energy(&before, &before_rates, cluster.began());
-            let grown = energy(&after, &after_rates, t) - began;
+            let began = energy(before, before_rates, cluster.began());
+            let grown = energy(after, after_rates, t) - began;
             ledger.plate_work.add(grown + lost);
         }
     }

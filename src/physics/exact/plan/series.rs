@@ -6,7 +6,7 @@ use super::super::polynomial::{Polynomial, ROWS, first_below_zero};
 use super::super::taylor::{Coupling, NEGLIGIBLE, PHASE, TaylorSeries, expand, lanes};
 use super::super::workspace::Workspace;
 use super::{ClusterPlan, ContactMode};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Ledger;
 use crate::physics::spring::Spring;
 
@@ -32,7 +32,7 @@ impl SeriesPlan {
             rows[j] = gap.g;
             rows[lanes + j] = gap.w * h;
         }
-        let pull = (G::PULLS && cluster.low == 0).then(|| {
+        let pull = cluster.ground.bends(cluster.low).then(|| {
             let mut pull = [0.0; ROWS];
             cluster.ground.pull(cluster.began(), h, &mut pull);
             pull.map(|c| c * h * h)
@@ -93,7 +93,7 @@ fn couple<G: Ground>(cluster: &Cluster<G>, h: f64, coupling: &mut Coupling) {
     for (j, mode) in cluster.modes.iter().enumerate() {
         let i = cluster.low + j;
         if *mode == ContactMode::Pushing {
-            let spring = cluster.constants.springs[i];
+            let spring = cluster.constants.column.springs[i];
             coupling.stiffness[j] = spring.stiffness * h * h;
             coupling.dashpot[j] = spring.dashpot * h;
         }
@@ -113,7 +113,7 @@ fn fastest<G: Ground>(cluster: &Cluster<G>) -> f64 {
         let mut row = (0.0, 0.0);
         let mut add = |j: usize, factor: f64| {
             if cluster.modes[j] == ContactMode::Pushing {
-                let spring = &cluster.constants.springs[cluster.low + j];
+                let spring = &cluster.constants.column.springs[cluster.low + j];
                 row.0 += factor * spring.stiffness;
                 row.1 += factor * spring.dashpot;
             }
@@ -166,7 +166,7 @@ fn first_change<G: Ground>(
         let i = cluster.low + j;
         let unsure = work.b[j] < 0.0;
         let gap = |sign| series.gap(j, sign, reach);
-        let force = |sign| series.force(j, cluster.constants.springs[i], sign, reach);
+        let force = |sign| series.force(j, cluster.constants.column.springs[i], sign, reach);
         // What changes the gap, as functions that fall below zero there.
         let bounds = match mode {
             ContactMode::Open if unsure => [Some((gap(1.0), ContactMode::Pushing)), None],
@@ -210,7 +210,7 @@ impl<G: Ground> ClusterPlan<G> for SeriesPlan {
         for (j, mode) in cluster.modes.iter().enumerate() {
             let Spring {
                 stiffness, dashpot, ..
-            } = cluster.constants.springs[cluster.low + j];
+            } = cluster.constants.column.springs[cluster.low + j];
             match mode {
                 ContactMode::Open => {}
                 ContactMode::Pushing => work.a[j] = dashpot,
@@ -226,7 +226,9 @@ impl<G: Ground> ClusterPlan<G> for SeriesPlan {
         let Workspace { a, b, series, .. } = work;
         ledger.lost.add(self.series.dissipation(s, a, b, series));
         if G::MOVES && cluster.low == 0 && cluster.modes[0] == ContactMode::Pushing {
-            let force = self.series.force(0, cluster.constants.springs[0], 1.0, s);
+            let force = self
+                .series
+                .force(0, cluster.constants.column.springs[0], 1.0, s);
             ledger.plate_work.add(self.plate_work(cluster, &force, s));
         }
     }
@@ -240,9 +242,11 @@ impl<G: Ground> ClusterPlan<G> for SeriesPlan {
         _: &[f64],
     ) -> Centre {
         let s = self.progress(cluster, t);
-        let push = self.series.force(0, cluster.constants.springs[0], 1.0, s);
+        let push = self
+            .series
+            .force(0, cluster.constants.column.springs[0], 1.0, s);
         let tau = s * self.series.h;
-        centre.fall(tau, cluster.constants.gravity);
+        centre.fall(tau, cluster.constants.column.gravity);
         centre.add_push(tau, &push);
         centre.t = t;
         centre

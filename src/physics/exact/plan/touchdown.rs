@@ -10,7 +10,7 @@ use super::super::oscillator::Oscillator;
 use super::super::workspace::Workspace;
 use super::{ClusterPlan, ContactMode};
 use crate::math;
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 use crate::physics::ledger::Ledger;
 use crate::physics::plate::Plate;
 
@@ -68,7 +68,7 @@ impl Touchdown {
         }
         let oscillator = constants.oscillators[0].as_ref()?;
         let plate = cluster.ground.plate(t);
-        let touchdown = Self::new(oscillator, w, constants.gravity, plate)?;
+        let touchdown = Self::new(oscillator, w, constants.column.gravity, plate)?;
         let lasts = touchdown.lasts;
         // The floor's push only widens gap 1, and is left out: bead 1 then falls on by at
         // most g + Aω².

@@ -2,7 +2,7 @@
 //! keep their digits.
 
 use super::{Ed, Rule};
-use crate::physics::flight::Ground;
+use crate::physics::ground::Ground;
 
 /// A gap of N closes soon when it closes within this part over N of the time since the epoch.
 ///

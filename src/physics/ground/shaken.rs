@@ -24,6 +24,7 @@ pub(crate) struct Shaken {
     take_off: Option<f64>,
     /// About a period, s.
     tick: f64,
+    riders: usize,
 }
 
 /// A bead that falls freely over the plate. It had gap `g` and rate `w` at τ = 0.
@@ -99,7 +100,7 @@ fn oscillation(a: f64, sin: f64, cos: f64, x: f64, into: &mut [f64]) {
 
 impl Shaken {
     pub fn new(gravity: f64, plate: Plate) -> Self {
-        let shake = plate.amplitude * plate.omega * plate.omega;
+        let shake = plate.shake();
         let take_off = (shake > gravity * BARELY).then(|| math::asin(gravity / shake));
         let tick = power_of_two(TAU / plate.omega);
         Self {
@@ -109,6 +110,7 @@ impl Shaken {
             shake,
             take_off,
             tick,
+            riders: 0,
         }
     }
 
@@ -161,6 +163,18 @@ impl Shaken {
 impl Ground for Shaken {
     const PULLS: bool = true;
     const MOVES: bool = true;
+
+    fn riders(&self) -> usize {
+        self.riders
+    }
+
+    fn set_riders(&mut self, riders: usize) {
+        self.riders = riders;
+    }
+
+    fn gravity(&self) -> f64 {
+        self.gravity
+    }
 
     fn fall(&self, t0: f64, g: f64, w: f64, t: f64) -> (f64, f64) {
         self.falling(t0, g, w).at(t - t0)

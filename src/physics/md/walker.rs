@@ -1,14 +1,15 @@
-//! What moves a soft column on a grid of steps: integrator, ground and chain together.
+//! What takes the steps of a soft column on a grid: integrator, ground and chain together.
 
 use dyn_clone::DynClone;
 
 use super::chain::Chain;
-use super::ground::Ground;
+use super::pace::Pace;
 use super::stepper::{Power, Stepper};
+use crate::physics::ground::Ground;
 use crate::physics::plate::Plate;
 
-/// What moves a column, behind one call for many steps.
-pub(super) trait Mover: DynClone + Send {
+/// What takes the steps, behind one call for many of them.
+pub(super) trait Walker: DynClone + Send {
     /// Up to `steps` steps, to where contacts change: how many it did, and whether any
     /// contact may have changed in the last.
     fn run(&mut self, steps: u64) -> (u64, bool);
@@ -30,19 +31,19 @@ pub(super) trait Mover: DynClone + Send {
     fn pulls(&self) -> bool;
 }
 
-dyn_clone::clone_trait_object!(Mover);
+dyn_clone::clone_trait_object!(Walker);
 
-/// A column that an integrator moves over a ground.
+/// The steps of an integrator over a ground.
 #[derive(Clone)]
-pub(super) struct Moved<S, G, C> {
+pub(super) struct Walking<S, G, C> {
     stepper: S,
-    ground: G,
+    ground: Pace<G>,
     chain: C,
     power: Power,
 }
 
-impl<S, G, C> Moved<S, G, C> {
-    pub fn new(stepper: S, ground: G, chain: C) -> Self {
+impl<S, G, C> Walking<S, G, C> {
+    pub fn new(stepper: S, ground: Pace<G>, chain: C) -> Self {
         Self {
             stepper,
             ground,
@@ -52,7 +53,7 @@ impl<S, G, C> Moved<S, G, C> {
     }
 }
 
-impl<S: Stepper, G: Ground, C: Chain> Mover for Moved<S, G, C> {
+impl<S: Stepper, G: Ground, C: Chain> Walker for Walking<S, G, C> {
     fn run(&mut self, steps: u64) -> (u64, bool) {
         let Self {
             stepper,

@@ -1,4 +1,4 @@
-//! What moves a lattice on a grid of steps: integrator and contacts together.
+//! What takes the steps of a lattice on a grid: integrator and contacts together.
 
 use dyn_clone::DynClone;
 
@@ -6,8 +6,8 @@ use super::forces::{LatticeForces, Surface, Web};
 use super::stepper::PlaneStepper;
 use crate::physics::contact_law::ContactLaw;
 
-/// What moves a lattice, behind one call for many steps.
-pub(super) trait PlaneMover: DynClone + Send {
+/// What takes the steps, behind one call for many of them.
+pub(super) trait PlaneWalker: DynClone + Send {
     /// Up to `steps` steps, to where contacts change: how many it did, and whether any
     /// contact changed in the last.
     fn run(&mut self, steps: u64) -> (u64, bool);
@@ -27,16 +27,16 @@ pub(super) trait PlaneMover: DynClone + Send {
     fn list_anew(&mut self);
 }
 
-dyn_clone::clone_trait_object!(PlaneMover);
+dyn_clone::clone_trait_object!(PlaneWalker);
 
-/// A lattice that an integrator moves.
+/// The steps of an integrator of lattices.
 #[derive(Clone)]
-pub(super) struct PlaneMoved<M, L: ContactLaw, S> {
+pub(super) struct PlaneWalking<M, L: ContactLaw, S> {
     stepper: M,
     forces: LatticeForces<L, S>,
 }
 
-impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneMoved<M, L, S> {
+impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneWalking<M, L, S> {
     /// Starts from displacements, m, and rates, m/s, with steps of `h` s.
     pub fn new(places: Vec<f64>, rates: &[f64], h: f64, mut forces: LatticeForces<L, S>) -> Self {
         let stepper = M::start(places, rates, h, &mut forces);
@@ -45,7 +45,7 @@ impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneMoved<M, L, S> {
     }
 }
 
-impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneMover for PlaneMoved<M, L, S> {
+impl<M: PlaneStepper, L: ContactLaw, S: Surface> PlaneWalker for PlaneWalking<M, L, S> {
     fn run(&mut self, steps: u64) -> (u64, bool) {
         let (mut done, mut changed) = (0, false);
         while done < steps && !changed {
