@@ -68,7 +68,8 @@ impl Md {
         if !sound || self.lost_the_energy() {
             return Err(self.unstable());
         }
-        // Overdamped contacts of heavy pairs never open, but spend all they have.
+        // An overdamped contact of a heavy pair never opens. The collision is over when such
+        // contacts have spent their energy.
         if !self.mover.pulls() && !self.over {
             let energy = self.snapshot(&self.gaps(), &self.rates()).energy();
             self.over = energy.elastic <= OVER * energy.kinetic && self.nothing_to_come();
