@@ -8,8 +8,8 @@ use crate::physics::flight::closing;
 use crate::physics::shell::Mover;
 
 impl Lattice {
-    /// A contact counts while it could change the energy by [`OVER`] of it or more,
-    /// if all beads had such contacts.
+    /// Sets the energy below which a contact does not count: if all beads had such contacts,
+    /// they could change less than [`OVER`] of the kinetic energy.
     pub(super) fn set_quiet(&mut self) {
         let kinetic: f64 = self.rates.iter().map(|w| 0.5 * w * w).sum();
         self.quiet = OVER * kinetic / self.walker.web().sites.count() as f64;
@@ -51,7 +51,7 @@ impl Lattice {
         }
         let mut ahead = self.next_contact().min(self.room());
         if ahead > 0.0 && self.room() < self.next_contact() {
-            // The way is free as far as the list tells: a new one tells more.
+            // The list tells of no contact as far as it is good: a new one is good for longer.
             self.walker.list_anew();
             ahead = self.next_contact().min(self.room());
         }

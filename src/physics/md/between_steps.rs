@@ -49,7 +49,8 @@ impl Md {
         if !sound || self.lost_the_energy() {
             return Err(self.unstable());
         }
-        // Overdamped contacts of heavy pairs never open, but spend all they have.
+        // An overdamped contact of a heavy pair never opens. The collision is over when such
+        // contacts have spent their energy.
         if !self.walker.pulls() && !self.books.over {
             let energy = self.energy_now();
             self.books.over = energy.elastic <= OVER * energy.kinetic && self.nothing_to_come();
