@@ -100,4 +100,5 @@ pub mod numerals;
 pub mod physics;
 pub mod scene;
 pub mod study;
+pub mod tape;
 pub mod tui;
