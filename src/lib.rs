@@ -81,7 +81,7 @@
 //! |---|---|
 //! | a contact law | `scene/law.rs` (what it is; the compiler asks for the rest), `physics/contact_law.rs` (its force), a row in `scene/parameters/rows/contact.rs` for each constant, a preset |
 //! | a way to move columns | a file in `physics/` with a `Mover`, which `physics.rs` builds over every `Ground` |
-//! | what acts on gaps beside contacts | `physics/ground.rs`: a `Ground`, its line in `build`; its energy in `physics/matter.rs` |
+//! | what acts on gaps beside contacts | `physics/ground.rs`: a `Ground`, its line in `build`; its energy in `physics/matter.rs`; of a grid what it does to gaps above the lowest in `physics/md/chain.rs` |
 //! | a way in which a cluster of the exact engine moves | a file in `physics/exact/plan/`, and its three lines in `plan.rs` |
 //! | a parameter | a row in `scene/parameters/rows.rs`, and what it acts on; `--set`, files, help, errors, panel, undo and sweeps read the row |
 //! | a measured number | a row in `study/quantity/rows.rs`; `run` in all its formats, `sweep` and the explorer read it; and `study/measure.rs`, if nothing measures it yet |
