@@ -238,14 +238,14 @@ fn every_size_can_be_drawn_and_every_key_pressed() {
     ] {
         for theme in [COLOURS, ASCII] {
             let mut script = type_text("mwuwx.p");
-            script.push(Act::Wait(40));
+            script.push(Act::Frames(1));
             play("fig4", theme, size, real(), script);
         }
     }
     let mut script = Vec::new();
     for (width, height) in [(1, 1), (200, 60), (0, 0), (30, 7), (20, 5)] {
         script.push(Act::Resize(width, height));
-        script.push(Act::Wait(60));
+        script.push(Act::Frames(2));
     }
     let screen = play("fig4", COLOURS, SIZE, real(), script).join("");
     let dots = screen
@@ -265,7 +265,7 @@ fn lattices_of_every_shape_can_be_drawn() {
     ] {
         let shape = lattice(&[("rows", rows), ("columns", columns)]);
         for (theme, size) in [(COLOURS, SIZE), (ASCII, SIZE), (COLOURS, (20, 5))] {
-            let script = vec![Act::Wait(60)];
+            let script = vec![Act::Frames(2)];
             play_preset(shape.clone(), theme, size, real(), script);
         }
     }

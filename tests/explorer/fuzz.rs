@@ -117,7 +117,7 @@ fn torment(seed: u64, count: usize, leave: &str) {
         session.signal(Signal::WINCH);
     }
     // What has begun ends in time; Esc closes what lies over the screen.
-    thread::sleep(Duration::from_millis(600));
+    thread::sleep(Duration::from_millis(450));
     let start = Instant::now();
     if leave == "q" {
         session.type_keys("\x1b");

@@ -63,8 +63,8 @@ pub enum Act {
     See(&'static [&'static str]),
     /// Waits until the screen is so.
     Until(fn(&str) -> bool),
-    /// Waits so many milliseconds, for what shows nothing that could be waited for.
-    Wait(u64),
+    /// Waits for so many frames, for what shows nothing that could be waited for.
+    Frames(u32),
     Resize(u16, u16),
 }
 
@@ -178,14 +178,14 @@ fn run_script(keys: &Sender<Event>, shown: &Shown, script: Vec<Act>) {
             Act::Key(code) => press(code),
             Act::See(words) => shown.wait(|screen| words.iter().all(|word| screen.contains(word))),
             Act::Until(is_so) => shown.wait(is_so),
-            Act::Wait(milliseconds) => thread::sleep(Duration::from_millis(milliseconds)),
+            Act::Frames(count) => shown.wait_for_frames(count),
             Act::Resize(width, height) => keys
                 .send(Event::Resize(width, height))
                 .expect("the loop listens"),
         }
     }
-    // Ctrl-C leaves from everywhere, after one more frame.
-    thread::sleep(Duration::from_millis(90));
+    // Ctrl-C leaves from everywhere. One frame may have been on its way before the last act.
+    shown.wait_for_frames(2);
     let quit = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
     keys.send(Event::Key(quit)).expect("the loop listens");
 }

@@ -1,7 +1,7 @@
 //! A screen in memory that others can watch.
 
 use std::convert::Infallible;
-use std::sync::{Arc, Condvar, Mutex};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::Duration;
 
 use ratatui::backend::{Backend, ClearType, TestBackend, WindowSize};
@@ -10,6 +10,8 @@ use ratatui::layout::{Position, Size};
 
 /// Nothing that is waited for takes so long.
 const LONG: Duration = Duration::from_secs(30);
+/// The longest time between two frames of a screen that moves.
+const FRAME: Duration = Duration::from_millis(45);
 
 /// Shows every whole frame to those who watch.
 pub struct Screen {
@@ -17,9 +19,16 @@ pub struct Screen {
     shown: Shown,
 }
 
-/// What a screen shows, row by row.
+/// What a screen shows.
 #[derive(Clone, Default)]
-pub struct Shown(Arc<(Mutex<Vec<String>>, Condvar)>);
+pub struct Shown(Arc<(Mutex<Picture>, Condvar)>);
+
+#[derive(Default)]
+struct Picture {
+    rows: Vec<String>,
+    /// Frames so far.
+    frames: u64,
+}
 
 impl Screen {
     /// The screen, and what it will show.
@@ -36,16 +45,28 @@ impl Screen {
 impl Shown {
     /// The rows now.
     pub fn rows(&self) -> Vec<String> {
-        self.0.0.lock().expect("nobody panics with it").clone()
+        self.lock().rows.clone()
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Picture> {
+        self.0.0.lock().expect("nobody panics with it")
+    }
+
+    /// Waits until so many more frames are drawn, as long as they take at most: a screen on
+    /// which nothing changes draws none.
+    pub fn wait_for_frames(&self, count: u32) {
+        let picture = self.lock();
+        let last = picture.frames + u64::from(count);
+        let not_yet = |picture: &mut Picture| picture.frames < last;
+        let waited = self.0.1.wait_timeout_while(picture, count * FRAME, not_yet);
+        drop(waited.expect("nobody panics with it"));
     }
 
     /// Waits until the screen is so. What is never so is left to the test, which says of
     /// the last screen what it misses.
     pub fn wait(&self, is_so: impl Fn(&str) -> bool) {
-        let (rows, changed) = &*self.0;
-        let rows = rows.lock().expect("nobody panics with it");
-        let not_yet = |rows: &mut Vec<String>| !is_so(&rows.join("\n"));
-        let waited = changed.wait_timeout_while(rows, LONG, not_yet);
+        let not_yet = |picture: &mut Picture| !is_so(&picture.rows.join("\n"));
+        let waited = self.0.1.wait_timeout_while(self.lock(), LONG, not_yet);
         drop(waited.expect("nobody panics with it"));
     }
 }
@@ -97,9 +118,11 @@ impl Backend for Screen {
         let buffer = self.backend.buffer();
         let symbols: Vec<&str> = buffer.content.iter().map(Cell::symbol).collect();
         let rows = symbols.chunks(usize::from(buffer.area.width).max(1));
-        let (shown, changed) = &*self.shown.0;
-        *shown.lock().expect("nobody panics with it") = rows.map(<[&str]>::concat).collect();
-        changed.notify_all();
+        let mut picture = self.shown.lock();
+        picture.rows = rows.map(<[&str]>::concat).collect();
+        picture.frames += 1;
+        drop(picture);
+        self.shown.0.1.notify_all();
         Ok(())
     }
 }

@@ -119,7 +119,7 @@ fn signs_and_numbers_are_told_in_words_on_80_by_24() {
 fn every_size_can_be_drawn_with_every_overlay() {
     for size in SIZES {
         for key in [' ', '?', 'p', ':', 'w'] {
-            let script = vec![Act::Wait(40), Act::Key(KeyCode::Char(key))];
+            let script = vec![Act::Frames(1), Act::Key(KeyCode::Char(key))];
             play("shaken", COLOURS, size, real(), script);
         }
     }
@@ -129,7 +129,7 @@ fn every_size_can_be_drawn_with_every_overlay() {
 fn ascii_terminals_get_ascii_only() {
     for size in [(80, 24), (120, 40), (20, 5), (1, 1)] {
         for keys in ["", "?", "p", ":alpha", "w", "m"] {
-            let mut script = vec![Act::Wait(100)];
+            let mut script = vec![Act::Frames(2)];
             script.extend(type_text(keys));
             let screen = joined(&play("shaken", ASCII, size, real(), script));
             assert!(screen.is_ascii(), "{size:?} {keys}:\n{screen}");
@@ -198,7 +198,7 @@ fn a_resize_is_followed() {
     let mut script = Vec::new();
     for (width, height) in [(1, 1), (200, 60), (0, 0), (30, 7), (80, 24)] {
         script.push(Act::Resize(width, height));
-        script.push(Act::Wait(60));
+        script.push(Act::Frames(2));
     }
     script.push(Act::See(&["ε_eff"]));
     let screen = joined(&play("shaken", COLOURS, (80, 24), real(), script));

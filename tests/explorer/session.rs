@@ -16,6 +16,9 @@ const LEFT: &[u8] = b"\x1b[?25h\x1b[?1049l";
 
 const QUESTION: &[u8] = b"\x1b[5n";
 
+/// Bytes that the near end of a terminal's queue holds.
+const FULL: u64 = 4095;
+
 /// The program on a terminal of 80 columns and 24 rows.
 pub struct Session {
     pub child: Child,
@@ -87,6 +90,24 @@ impl Session {
             reads,
             ..Setup::default()
         })
+    }
+
+    /// One that nobody reads: the first picture is more than the queue of the terminal holds,
+    /// which is full, so that the program waits in a write.
+    pub fn start_unread() -> Session {
+        let session = Session::start_as(&Setup {
+            arguments: &["--speed", "0.2"],
+            reads: false,
+            size: (250, 80),
+            ..Setup::default()
+        });
+        let screen = session.screen.as_ref().expect("the terminal is there");
+        let is_full = || {
+            let waiting = rustix::io::ioctl_fionread(screen).expect("it is a terminal");
+            (waiting >= FULL).then_some(())
+        };
+        wait(is_full, "the queue to be full");
+        session
     }
 
     pub fn start_as(setup: &Setup) -> Session {
@@ -167,6 +188,14 @@ impl Session {
 
     pub fn bytes(&self) -> Vec<u8> {
         self.written.lock().expect("nobody panics with it").clone()
+    }
+
+    /// Whether this was written after so many bytes.
+    pub fn wrote_since(&self, count: usize, part: &[u8]) -> bool {
+        let bytes = self.bytes();
+        bytes[count..]
+            .windows(part.len())
+            .any(|window| window == part)
     }
 
     /// Waits until so many bytes are written.

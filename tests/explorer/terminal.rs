@@ -45,9 +45,7 @@ fn signals_end_it_with_their_number_and_a_clean_terminal() {
 
 #[test]
 fn a_signal_ends_it_although_nobody_reads() {
-    let mut session = Session::start(&["--speed", "0.2"], false);
-    // The queue of the terminal is full, and the program waits in a write.
-    thread::sleep(Duration::from_secs(4));
+    let mut session = Session::start_unread();
     let start = Instant::now();
     session.signal(Signal::TERM);
     assert_eq!(session.wait_for_end().code(), Some(143));
@@ -58,10 +56,9 @@ fn a_signal_ends_it_although_nobody_reads() {
 #[test]
 fn keys_leave_it_although_nobody_reads() {
     for key in ["q", "\x03"] {
-        let mut session = Session::start(&["--speed", "0.2"], false);
+        let mut session = Session::start_unread();
         // Pastes and what is not understood change nothing.
         session.type_keys("\x1b[200~n=3\x1b[201~\x1b]11;rgb:0/0/0\x07");
-        thread::sleep(Duration::from_secs(3));
         let start = Instant::now();
         session.type_keys(key);
         assert_eq!(session.wait_for_end().code(), Some(0));
@@ -73,7 +70,10 @@ fn keys_leave_it_although_nobody_reads() {
 #[test]
 fn a_vanished_terminal_ends_it_at_once() {
     let mut session = Session::start(&[], false);
-    thread::sleep(Duration::from_millis(700));
+    wait(
+        || (!session.is_cooked()).then_some(()),
+        "the program to begin",
+    );
     let start = Instant::now();
     session.screen = None;
     let status = session.wait_for_end();
@@ -102,10 +102,9 @@ fn ctrl_z_stops_it_with_a_clean_terminal_and_it_comes_back() {
     session.signal(Signal::CONT);
     session.wait_for_bytes(before + 2000);
     assert!(!session.is_cooked());
-    let again = session.bytes()[before..].to_vec();
-    assert!(again.windows(8).any(|window| window == b"\x1b[?1049h"));
+    assert!(session.wrote_since(before, b"\x1b[?1049h"));
     assert!(
-        again.windows(4).any(|window| window == b"\x1b[2J"),
+        session.wrote_since(before, b"\x1b[2J"),
         "everything is drawn anew"
     );
     session.type_keys("q");
@@ -118,9 +117,11 @@ fn it_follows_any_size() {
     session.wait_for_bytes(3000);
     for (columns, rows) in [(1, 1), (200, 60), (20, 5), (3, 50), (80, 24)] {
         let screen = session.screen.as_ref().expect("the terminal is there");
+        let before = session.count();
         tcsetwinsize(screen, winsize(columns, rows)).expect("it takes a size");
         session.signal(Signal::WINCH);
-        thread::sleep(Duration::from_millis(120));
+        let anew = || session.wrote_since(before, b"\x1b[2J").then_some(());
+        wait(anew, "the screen to be drawn in its new size");
     }
     session.type_keys("q");
     assert_eq!(session.wait_for_end().code(), Some(0));
@@ -129,15 +130,17 @@ fn it_follows_any_size() {
 #[test]
 fn it_writes_little_and_nothing_when_paused() {
     let mut session = Session::start(&[], true);
-    thread::sleep(Duration::from_secs(2));
+    session.wait_for_bytes(3000);
     let before = session.count();
-    thread::sleep(Duration::from_secs(4));
-    let rate = (session.count() - before) / 4;
+    thread::sleep(Duration::from_secs(2));
+    let rate = (session.count() - before) / 2;
     assert!((500..10_000).contains(&rate), "{rate} bytes per second");
     session.type_keys(" ");
-    thread::sleep(Duration::from_millis(400));
+    wait(|| session.shows("paused").then_some(()), "the pause");
+    // What was on its way by then arrives, and nothing after it.
+    thread::sleep(Duration::from_millis(200));
     let (paused, cpu) = (session.count(), session.process().1);
-    thread::sleep(Duration::from_millis(1500));
+    thread::sleep(Duration::from_secs(1));
     assert_eq!(session.count(), paused, "paused, and it writes");
     assert!(session.process().1 - cpu < 0.02, "paused, and it computes");
 }
@@ -202,8 +205,9 @@ fn ctrl_z_where_no_shell_is_says_so() {
             text.contains("not stopped").then_some(())
         };
         wait(told, "the reason why it goes on");
+        let before = session.count();
         session.type_keys("\x1b[A");
-        thread::sleep(Duration::from_millis(200));
+        session.wait_for_bytes(before + 1);
         assert_ne!(session.process().0, "T");
     }
     session.type_keys("q");
@@ -308,10 +312,13 @@ fn a_silent_terminal_gets_a_careful_rate() {
         answers: false,
         ..Setup::default()
     });
-    thread::sleep(Duration::from_secs(4));
+    session.wait_for_bytes(3000);
+    // The picture is all that it gets until the first receipt is given up.
+    thread::sleep(Duration::from_millis(500));
+    session.wait_for_bytes(session.count() + 1);
     let before = session.count();
-    thread::sleep(Duration::from_secs(6));
-    let rate = (session.count() - before) / 6;
+    thread::sleep(Duration::from_secs(4));
+    let rate = (session.count() - before) / 4;
     assert!((300..1_500).contains(&rate), "{rate} bytes per second");
     session.type_keys("q");
     assert_eq!(session.wait_for_end().code(), Some(0));

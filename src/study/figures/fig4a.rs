@@ -1,14 +1,14 @@
 //! Fig. 4(a): ε_eff over σ of a lattice ten rows high, with a column of ten beside it.
 
+mod lattice_run;
 mod record;
 
 use super::pool::RunPool;
-use super::runs::{crossing, largest, preset, results};
+use super::runs::{crossing, largest};
 use super::{Claim, FigureError, Sheet};
 use crate::math;
-use crate::scene::parameters::Value;
-use crate::scene::{MethodName, Scene};
 use crate::study::Results;
+use lattice_run::{LatticeRun, STEPS, eps};
 use record::record;
 
 /// Speeds |v₀|, m/s, and contact times t_c, s, within the paper's ranges. Lengths in d,
@@ -37,86 +37,11 @@ const HARD: f64 = 99.9;
 /// Where the curve begins to fall, within a factor of two of the paper's 0.1.
 const BEGIN: (f64, f64) = (0.05, 0.2);
 
-/// Rows of a lattice, and those of others in the same limit.
-const ROWS: u64 = 10;
+/// Rows and restitutions of other lattices in the same limit.
 const OTHERS: [(u64, f64); 4] = [(5, 0.9), (20, 0.9), (10, 0.8), (10, 0.97)];
-const RESTITUTION: f64 = 0.9;
 
-/// Steps in a contact, and where they are checked.
-const STEPS: f64 = 50.0;
+/// Where the steps are checked.
 const CHECKED: [f64; 3] = [0.1, 1.0, 10.0];
-
-/// A run of a lattice.
-#[derive(Debug, Clone, Copy)]
-struct LatticeRun {
-    rows: u64,
-    restitution: f64,
-    v0: f64,
-    contact_time: f64,
-    sigma: f64,
-    steps: f64,
-    /// Of the random shifts.
-    seed: u64,
-}
-
-impl LatticeRun {
-    /// That of the preset's speed and contact time.
-    fn usual(sigma: f64, seed: u64) -> Self {
-        Self {
-            rows: ROWS,
-            restitution: RESTITUTION,
-            v0: 0.1,
-            contact_time: 1e-5,
-            sigma,
-            steps: STEPS,
-            seed,
-        }
-    }
-
-    fn s0(&self) -> f64 {
-        self.sigma * self.v0 * self.contact_time
-    }
-
-    fn scene(&self) -> Result<Scene, FigureError> {
-        let values = [
-            ("rows", Value::Whole(self.rows)),
-            ("restitution", Value::Number(self.restitution)),
-            ("v0", Value::Number(-self.v0)),
-            ("contact_time", Value::Number(self.contact_time)),
-            ("s0", Value::Number(self.s0())),
-            ("steps_per_contact", Value::Number(self.steps)),
-            ("seed", Value::Whole(self.seed)),
-        ];
-        preset("fig4", Some(MethodName::Verlet), &values)
-    }
-
-    fn run(&self) -> Result<Results, FigureError> {
-        results(&self.scene()?)
-    }
-
-    /// ε_eff of the column of that height, exactly; a seed shifts its beads.
-    fn column(&self, seed: Option<u64>) -> Result<f64, FigureError> {
-        let mut values = vec![
-            ("n", Value::Whole(self.rows)),
-            ("restitution", Value::Number(self.restitution)),
-            ("v0", Value::Number(-self.v0)),
-            ("contact_time", Value::Number(self.contact_time)),
-            ("s0", Value::Number(self.s0())),
-        ];
-        if let Some(seed) = seed {
-            values.extend([("jitter", Value::Flag(true)), ("seed", Value::Whole(seed))]);
-        }
-        Ok(eps(&results(&preset(
-            "fig1b",
-            Some(MethodName::Exact),
-            &values,
-        )?)?))
-    }
-}
-
-fn eps(results: &Results) -> f64 {
-    results.eps_eff.unwrap_or(f64::NAN)
-}
 
 /// A mean with its standard error and the scatter of single values.
 #[derive(Debug, Clone, Copy)]

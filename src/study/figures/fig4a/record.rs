@@ -1,6 +1,7 @@
 //! The tables and the plot of Fig. 4(a).
 
-use super::{LatticeRun, PAIRS, Point, eps, mean};
+use super::lattice_run::{LatticeRun, eps};
+use super::{PAIRS, Point, mean};
 use crate::scene::MethodName;
 use crate::study::Results;
 use crate::study::accuracy::facts;

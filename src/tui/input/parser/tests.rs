@@ -1,6 +1,7 @@
 //! What terminals send, and what it means.
 
 use super::*;
+use crossterm::event::{KeyCode, KeyModifiers};
 
 fn after(milliseconds: u64, start: Instant) -> Instant {
     start + Duration::from_millis(milliseconds)
