@@ -2,9 +2,11 @@
 
 use std::collections::VecDeque;
 
-/// The bounce now and the last one. Energies in the floor's frame, the centre of
-/// mass's part apart from E_r: after take-off the first is taken as it was when the
-/// floor let go (gravity changes it later), the second goes on being lost in flight.
+/// The bounce now and the last one.
+///
+/// Energies are those in the floor's frame, in two parts. The centre of mass's is taken when
+/// the floor lets go, since gravity changes it later. E_r is taken when it is asked for, since
+/// contacts in flight go on losing it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Bounce {
     arriving: Option<f64>,
@@ -14,14 +16,14 @@ pub(crate) struct Bounce {
     landings: LandingLog,
 }
 
-/// Plate periods for which a landing is remembered: dense and loose ones alternate over
-/// a few.
+/// Plate periods for which a landing is remembered. Dense and loose landings alternate over
+/// a few periods.
 const MEMORY: f64 = 10.0;
 /// Landings remembered at most.
 const MOST: usize = 64;
 
-/// The last landings: when, and mean separation over speed, s. Of those that a denser
-/// one has followed none is kept, so the first is the densest.
+/// The last landings: when, and mean separation over speed, s. A landing that a denser one
+/// has followed is not kept, so the first of them is the densest.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct LandingLog {
     last: Option<f64>,
@@ -80,8 +82,8 @@ impl Bounce {
         }
     }
 
-    /// Whether the column has arrived since it last left: more contacts with the floor
-    /// are part of the same bounce, and need no [`Arrival`].
+    /// Whether the column has arrived since it last left. Further contacts with the floor are
+    /// then part of the same bounce, and need no [`Arrival`].
     pub fn has_arrived(&self) -> bool {
         self.arriving.is_some()
     }
@@ -133,7 +135,7 @@ impl Bounce {
         self.landings.last
     }
 
-    /// The smallest of the last ten plate periods (fixed floor: since the start).
+    /// The smallest such time of the last ten plate periods, s; on a fixed floor, of all.
     pub fn densest(&self, time: f64, period: f64) -> Option<f64> {
         self.landings.densest_since(time - MEMORY * period)
     }

@@ -1,11 +1,12 @@
 //! The plate's course after an edit of its amplitude or frequency.
 //!
-//! The plate passes from the old motion to the new one in one swing, about a period, from
-//! its middle on and back to it. Place, velocity and acceleration go on without a jump, and
-//! it never accelerates faster than both motions: what rests goes on resting unless one of
-//! them throws it. So do soft contacts, which a jump of the acceleration would make ring,
-//! where quarters of a swing are long against the column's own oscillations. Then the plate moves as its formula has it, about height 0. The phase goes on
-//! through all of this, and edits of the amplitude alone leave it as if there were none.
+//! The plate passes from the old motion to the new one in one swing, which begins and ends in
+//! its middle and takes about a period. Place, velocity and acceleration go on without a jump.
+//! The plate never accelerates faster than the faster of both motions, so that what rests goes
+//! on resting unless one of them throws it. Soft contacts do not ring either, where a quarter of
+//! a swing is long against the column's own oscillations. After the swing the plate moves as its
+//! formula has it, about height 0. The phase goes on all the time; an edit of the amplitude
+//! alone does not shift it.
 
 use std::collections::VecDeque;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -14,7 +15,7 @@ use super::plate::Plate;
 
 /// Amplitude below which a plate stands still, m.
 const STILL: f64 = 1e-100;
-/// So much slower than the other of two motions one is no motion.
+/// A motion that is slower than another by this factor counts as none beside it.
 const SLOW: f64 = 1e-9;
 
 /// A time from which on the plate moves in another way.
@@ -56,9 +57,9 @@ impl Course {
         Some(turn)
     }
 
-    /// Leads the plate, which is `now`, to the motion `to`, but changes nothing up to
-    /// `after`, s. What was to begin later is forgotten. When it is going to begin, s;
-    /// none if it has that motion or is on its way to it.
+    /// Leads the plate, which moves as `now`, to the motion `to`. Nothing changes up to `after`,
+    /// s, and edits that were to begin later are forgotten. Returns when the change is going to
+    /// begin, s; none if the plate moves so already or is on its way to it.
     pub fn lead(&mut self, now: Plate, to: Plate, after: f64) -> Option<f64> {
         let later = |turn: &Turn| turn.begins && turn.time > after;
         let kept = self.ahead.iter().position(later);
@@ -91,8 +92,8 @@ impl Course {
                 return Some(after);
             }
         }
-        // Where a plate at rest is set in motion or comes to rest, its acceleration jumps,
-        // at the lowest point: that is the first one of a growing motion, else the last.
+        // The acceleration of a plate that starts or stops jumps at the lowest point. A growing
+        // motion has it first, so it begins downwards; a shrinking one has it last.
         let grows = to.shake() > from.plate.shake();
         let start = from.passes(if grows { PI } else { 0.0 }, after);
         passage(from.plate, to, grows, start, &mut self.ahead);
@@ -114,12 +115,13 @@ impl Turn {
 /// The turns of a passage that begins at `start`, s, as the plate passes its middle, `down`
 /// or up.
 ///
-/// It is made of quarter swings. One of speed V in the middle and acceleration a at its end
-/// has the amplitude V²/a and ω = a/V. Quarters that meet at their ends share a, in the
-/// middle V: V₁ a, V a; V b, V₂ b. They come back to the middle of both motions if
-/// V² (1/a + 1/b) = V₁²/a + V₂²/b. With a = ω₁²B, b = ω₂²B and B = (A₁ + 2R + A₂)/4, R
-/// being the root mean square of A₁ and A₂, an edit of A₀ takes one period and one of f
-/// goes no further than A₀.
+/// It is made of four quarter swings. A quarter with the speed V in the middle and the
+/// acceleration a at its end has the amplitude V²/a and ω = a/V. Two quarters that meet at
+/// their ends share a; two that meet in the middle share V. So the four have (V₁, a), (V, a),
+/// (V, b) and (V₂, b). They come back to the middle of both motions if
+/// V² (1/a + 1/b) = V₁²/a + V₂²/b. The choice is a = ω₁²B and b = ω₂²B with
+/// B = (A₁ + 2R + A₂)/4, R being the root mean square of A₁ and A₂: then an edit of A₀ takes
+/// one period, and an edit of f goes no further than A₀.
 fn passage(from: Plate, to: Plate, down: bool, start: f64, ahead: &mut VecDeque<Turn>) {
     let (old, new) = (from.amplitude, to.amplitude);
     let fastest = (old * from.omega).max(new * to.omega);

@@ -51,8 +51,8 @@ pub(super) fn build(scene: &Scene, sites: Sites, state: State) -> Box<dyn Engine
     };
     let settings = Settings::of(scene);
     let springs = springs(scene, &masses(scene));
-    // In 2N s₀/|v₀| a lattice without separation would have no time at all: its contacts
-    // part within some t_c.
+    // The paper's 2N s₀/|v₀| is no time at all without separation. Contacts that touch part
+    // within some t_c, which is the least time for a crossing.
     let crossing = sites.separation / scene.own_speed();
     let plane = Plane {
         sites,

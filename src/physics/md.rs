@@ -1,8 +1,8 @@
 //! Soft contacts on a fixed grid of time steps (molecular dynamics).
 //!
-//! One engine, specialised at compile time by integrator, ground, kind of chain and
-//! attraction, so that a scene pays only for what it has. Contact changes fall
-//! between steps, so every fixed-step method is of first order here, whatever its name.
+//! One engine is specialised at compile time by integrator, ground, kind of chain and contact
+//! law, so that a scene pays only for what it has. Contact changes fall between steps. Every
+//! fixed-step method is therefore of first order here, whatever its name.
 
 mod between_steps;
 mod chain;

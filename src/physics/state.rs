@@ -161,7 +161,7 @@ impl State {
         state
     }
 
-    /// The state at t = 0 with these contacts, of which some are closed.
+    /// The state at t = 0; `closed` tells which contacts are closed.
     fn at_start(scene: &Scene, gaps: Vec<f64>, rates: Vec<f64>, closed: Vec<bool>) -> Self {
         Self {
             time: 0.0,
@@ -186,8 +186,8 @@ impl State {
         }
     }
 
-    /// Lets edits change nothing of the plate's motion up to `time`, s. Columns on one
-    /// clock may have come to different times: up to the latest they share one plate.
+    /// Lets edits change nothing of the plate's motion up to `time`, s. Columns on one clock
+    /// stand on one plate, but may have come to different times, of which this is the latest.
     pub fn settle(&mut self, time: f64) {
         self.settled = self.settled.max(time);
     }
@@ -245,8 +245,8 @@ impl State {
     /// The same state as the plate takes a turn, which it has come to.
     pub(crate) fn turned(mut self, turn: Turn, scene: &Scene) -> Self {
         if scene.grid().is_some() {
-            // The last grid point lies up to a step before the turn: the plate moves as
-            // it is going to from there, and the beads stay where they are.
+            // The last grid point lies up to a step before the turn. The plate moves in its new
+            // way from that point on; the beads stay where they are.
             let plate = turn.plate.later(self.time - turn.time);
             self.gaps[0] += self.plate.position() - plate.position();
             self.rates[0] += self.plate.velocity() - plate.velocity();

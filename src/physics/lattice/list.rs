@@ -1,5 +1,6 @@
-//! Which beads may touch soon: pairs nearer than a skin, found by a grid of cells, in
-//! time linear in their number, and only when somebody has moved by half the skin.
+//! Which beads may touch soon: pairs that are nearer than a skin. A grid of cells finds them in
+//! a time linear in the number of beads. They are found anew only when a bead has moved by half
+//! the skin.
 
 use crate::scene::lattice::{Offset, Sites};
 

@@ -1,5 +1,5 @@
-//! Velocity Verlet for a lattice. The dashpots get the velocity that the old
-//! acceleration predicts; rates are kept as they were half a step ago.
+//! Velocity Verlet for a lattice. The dashpots get the velocity that the old acceleration
+//! predicts. Rates are kept as they were half a step ago.
 
 use super::forces::{LatticeForces, Surface};
 use super::stepper::{PlaneStepper, flush};

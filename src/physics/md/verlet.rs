@@ -1,8 +1,8 @@
-//! Velocity Verlet. The dashpot needs the velocity at the end of the step before it
-//! is known; it gets the one that the old acceleration predicts.
+//! Velocity Verlet. The dashpot needs the velocity at the end of a step before that is known.
+//! It gets the velocity that the old acceleration predicts.
 //!
-//! The kick that ends a step and the one that begins the next are done in one pass:
-//! rates are kept as they are before the former.
+//! The kick that ends a step and the kick that begins the next are done in one pass. Rates are
+//! kept as they are between steps, before both.
 
 use super::chain::{Chain, Forces};
 use super::pace::Pace;
