@@ -2,7 +2,7 @@
 //! It gets the velocity that the old acceleration predicts.
 //!
 //! The kick that ends a step and the kick that begins the next are done in one pass. Rates are
-//! kept as they are between steps, before both.
+//! kept as they are before both.
 
 use super::chain::{Chain, Forces};
 use super::pace::Pace;
