@@ -8,8 +8,8 @@ use crate::study::export::{self, FORMATS};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, ValueEnum};
 use help::{
-    ACCURACY_EXAMPLES, ADVISE_EXAMPLES, EXAMPLES, FIGURE_EXAMPLES, PRESET_EXAMPLES, RUN_EXAMPLES,
-    STABILITY_EXAMPLES, SWEEP_EXAMPLES, run_long_help,
+    ACCURACY_EXAMPLES, ADVISE_EXAMPLES, EXAMPLES, FIGURE_EXAMPLES, PRESET_EXAMPLES,
+    REPLAY_EXAMPLES, RUN_EXAMPLES, STABILITY_EXAMPLES, SWEEP_EXAMPLES, run_long_help,
 };
 use std::path::PathBuf;
 use values::{between, budget, positive, speed, tolerance};
@@ -54,6 +54,9 @@ pub enum Subcommand {
     /// The paper's figures, tables and sentences, beside what it says
     #[command(after_help = FIGURE_EXAMPLES)]
     Figure(FigureArgs),
+    /// Play a recorded session again: in the explorer, or without pictures
+    #[command(after_help = REPLAY_EXAMPLES)]
+    Replay(ReplayArgs),
     /// List the presets, show one as TOML, or check files of your own
     #[command(after_help = PRESET_EXAMPLES)]
     Presets {
@@ -86,6 +89,10 @@ pub struct ExploreArgs {
     #[arg(long, value_parser = speed)]
     pub speed: Option<f64>,
 
+    /// Write a tape of the session to a new file, for `beadlab replay`
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+
     /// Memory for what was, to go back to, in MiB
     #[arg(
         long,
@@ -100,6 +107,40 @@ pub struct ExploreArgs {
     /// (repeatable; `beadlab run --help` lists them)
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub settings: Vec<String>,
+}
+
+/// Arguments of `beadlab replay`.
+#[derive(Debug, Args)]
+pub struct ReplayArgs {
+    /// A tape that the explorer has written
+    #[arg(value_name = "FILE")]
+    pub tape: PathBuf,
+
+    /// How it is written; without this, on a terminal, the explorer plays it
+    #[arg(long, value_enum)]
+    pub format: Option<export::Format>,
+
+    /// Stop at this simulated time, in seconds
+    #[arg(long, value_name = "SECONDS", value_parser = positive, allow_hyphen_values = true)]
+    pub until: Option<f64>,
+
+    /// With csv or xyz: print the motion at this interval, in simulated seconds
+    #[arg(long, value_name = "SECONDS", value_parser = positive, allow_hyphen_values = true)]
+    pub every: Option<f64>,
+
+    /// With csv or xyz: the column whose motion is printed, from the left
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        default_value_t = 1,
+        value_parser = clap::value_parser!(u32).range(1..=2),
+        allow_hyphen_values = true
+    )]
+    pub column: u32,
+
+    /// Write to a file, which appears when it is complete
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
 }
 
 /// Arguments of `beadlab run`.

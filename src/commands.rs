@@ -7,6 +7,7 @@ pub mod figure;
 mod output;
 pub mod presets;
 mod progress;
+mod replay;
 mod report;
 pub mod run;
 mod signals;
@@ -71,7 +72,12 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
     };
     // The explorer and a sweep have their own ways to end.
     let others = cli.command.as_ref();
-    if others.is_some_and(|command| !matches!(command, Subcommand::Sweep(_))) {
+    let leaves_by_itself = |command: &Subcommand| match command {
+        Subcommand::Sweep(_) => true,
+        Subcommand::Replay(args) => replay::is_explored(args),
+        _ => false,
+    };
+    if others.is_some_and(|command| !leaves_by_itself(command)) {
         signals::leave_nothing_behind()?;
     }
     match cli.command {
@@ -82,6 +88,7 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
         Some(Subcommand::Speed(args)) => speed::run(&args),
         Some(Subcommand::Sweep(args)) => sweep::run(&args),
         Some(Subcommand::Figure(args)) => figure::run(&args),
+        Some(Subcommand::Replay(args)) => replay::run(&args),
         Some(Subcommand::Presets { action }) => presets::presets(action),
         None => {
             let args = cli.explore;
@@ -94,8 +101,10 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
                 ascii: args.ascii,
                 speed: args.speed,
                 memory: args.memory as usize * MIB,
+                tape: None,
+                record: args.record,
             };
-            explore::explore(preset, origin, &options)
+            explore::explore(preset, origin, options)
         }
     }
 }

@@ -12,6 +12,7 @@
 mod clock;
 mod history;
 mod past;
+mod recording;
 mod runner;
 mod sampling;
 mod shadow;
@@ -19,16 +20,19 @@ mod slot;
 mod worker;
 
 pub use history::{ColumnSample, History, Sample};
+pub use recording::Recording;
 pub use runner::Build;
 pub use sampling::Sampling;
 pub use shadow::{Accuracy, Distance, reference};
 
+use std::sync::Arc;
 use std::thread;
 
 use crossbeam_channel::{Receiver, Sender, bounded};
 
 use crate::physics::Observation;
 use crate::scene::Scene;
+use crate::tape::Tape;
 
 /// Orders waiting for the simulation thread; when so many wait, the sender waits.
 const ORDERS: usize = 64;
@@ -58,6 +62,10 @@ pub enum Order {
         /// For each of them, which of the present columns it goes on from.
         from: Vec<usize>,
     },
+    /// Write a tape of the session there, or end the one that is written.
+    Record(Option<Recording>),
+    /// Play a tape from its start.
+    Play(Arc<Tape>),
     /// Run (true) or pause.
     Run(bool),
     /// Simulated seconds in a second.
@@ -140,6 +148,8 @@ pub struct Frame {
     /// Simulated time up to which they have come, s; later than `time` while that is gone
     /// back in.
     pub end: f64,
+    /// Up to when a tape is written, s, while one is.
+    pub recorded: Option<f64>,
     /// Trace samples since the last frame that was fetched.
     pub history: History,
     /// Whether these are all samples of the page, in place of those before.

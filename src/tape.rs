@@ -10,7 +10,7 @@ mod player;
 mod recorder;
 
 pub use line::TapeError;
-pub use player::{Player, sources};
+pub use player::{Player, Replay, sources};
 pub use recorder::Recorder;
 
 use crate::physics::State;
@@ -90,7 +90,14 @@ impl Tape {
                         cut: None,
                     });
                 }
-                (Line::Edit { time, columns, from }, Some(tape)) => tape.edits.push(Edit {
+                (
+                    Line::Edit {
+                        time,
+                        columns,
+                        from,
+                    },
+                    Some(tape),
+                ) => tape.edits.push(Edit {
                     time,
                     scenes: line::scenes(number, &columns)?,
                     from,
@@ -110,7 +117,11 @@ impl Tape {
         }
         let mut tape = tape.ok_or(TapeError::Empty)?;
         tape.cut = cut;
-        if tape.edits.windows(2).any(|pair| pair[0].time > pair[1].time) {
+        if tape
+            .edits
+            .windows(2)
+            .any(|pair| pair[0].time > pair[1].time)
+        {
             return Err(TapeError::Altered { line: 1 });
         }
         Ok(tape)

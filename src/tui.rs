@@ -27,12 +27,14 @@ pub mod view;
 mod widgets;
 
 use std::io::{self, Write};
-use std::time::Instant;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use ratatui::Terminal;
 
-use crate::live::{self, Build};
+use crate::live::{self, Build, Live, Order, Recording};
 use crate::scene::Preset;
+use crate::tape::Tape;
 use event_loop::{Ending, EventLoop, Stage, Wires};
 use guard::Guard;
 use link::Link;
@@ -41,6 +43,9 @@ use outbox::{Outbox, StatusRequest};
 use screen::Screen;
 use theme::Theme;
 use tmux::Passage;
+
+/// The end of a tape is waited for so long.
+const LAST_WRITING: Duration = Duration::from_secs(1);
 
 /// The real terminal's manners.
 struct RealStage {
@@ -74,32 +79,63 @@ impl Stage for RealStage {
         self.outbox.copy(text);
     }
 
+    fn open_tape(&mut self, stem: &str) -> Result<(String, Recording), String> {
+        let (name, file) = files::create_new(stem, "tape")?;
+        Ok((name, Recording::new(Box::new(file))))
+    }
+
     fn keep(&mut self, stem: &str, ending: &str, text: &str) -> Result<String, String> {
         files::write_new(stem, ending, text)
     }
 }
 
-/// Shows a preset on the terminal until somebody wants to leave. What was is kept to go back
-/// to in so much memory, bytes. A line that was asked for is printed on leaving.
+/// Ends the simulation thread, which may have the end of a tape to write.
+fn end(live: Live) {
+    let Live { orders, frames } = live;
+    drop(orders);
+    let deadline = Instant::now() + LAST_WRITING;
+    // Frames end with the thread.
+    while frames.recv_deadline(deadline).is_ok() {}
+}
+
+/// What is shown, and how.
+#[derive(Debug)]
+pub struct Session {
+    /// The preset, or of a tape one of its first column.
+    pub preset: Preset,
+    /// Where it came from.
+    pub origin: Origin,
+    /// Simulated seconds in a second; what suits the preset if not given.
+    pub speed: Option<f64>,
+    /// Memory for what was, to go back to, bytes.
+    pub memory: usize,
+    /// A tape to play in place of the preset.
+    pub tape: Option<Arc<Tape>>,
+    /// Where a tape of the session is written, and what that is called.
+    pub recording: Option<(String, Recording)>,
+}
+
+/// Shows a session on the terminal until somebody wants to leave. A line that was asked for
+/// is printed on leaving.
 ///
 /// # Errors
 /// When the terminal or a thread cannot be had, or the preset's twin cannot be
 /// loaded, in a sentence.
-pub fn run(
-    preset: Preset,
-    origin: Origin,
-    speed: Option<f64>,
-    theme: Theme,
-    build: Build,
-    memory: usize,
-) -> Result<Ending, String> {
+pub fn run(session: Session, theme: Theme, build: Build) -> Result<Ending, String> {
     let cannot = |what: &str| {
         let what = what.to_owned();
         move |error: io::Error| format!("cannot {what}: {error}")
     };
-    let (model, start) = Model::new(preset, speed, theme, screen::size())?;
-    let mut model = model.from_origin(origin);
-    let live = live::spawn(build, memory).map_err(cannot("start the simulation thread"))?;
+    let (model, start) = Model::new(session.preset, session.speed, theme, screen::size())?;
+    let mut model = model.from_origin(session.origin);
+    let mut pending = std::collections::VecDeque::from([start]);
+    if let Some((name, recording)) = session.recording {
+        pending.push_back(Order::Record(Some(recording)));
+        model.tape_name = Some(name);
+    }
+    pending.extend(session.tape.map(Order::Play));
+    model.orders = pending.len() as u64;
+    let live = live::spawn(build, session.memory).map_err(cannot("start the simulation thread"))?;
     let judge = judge::spawn().map_err(cannot("start the judging thread"))?;
     let signals = signals::watch().map_err(cannot("watch signals"))?;
     guard::hook_panics();
@@ -108,9 +144,6 @@ pub fn run(
     let guard = Guard::take().map_err(cannot("take the terminal"))?;
     let heard = input::listen().map_err(cannot("read the terminal"))?;
     let outbox = Outbox::spawn(question, guard::write).map_err(cannot("write to the terminal"))?;
-    live.orders
-        .send(start)
-        .map_err(|_| "the simulation thread has ended".to_owned())?;
     let wires = Wires {
         heard,
         signals,
@@ -129,11 +162,12 @@ pub fn run(
             wires: &wires,
             link: &mut link,
             stage,
-            pending: std::collections::VecDeque::new(),
+            pending,
         }
         .run()
     });
     drop(guard);
+    end(wires.live);
     if let Some(line) = &model.parting {
         // A terminal that is gone has no use for it.
         let _ = writeln!(io::stdout(), "{line}");

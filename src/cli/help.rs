@@ -50,6 +50,17 @@ own, soft or hard (restitution_min, restitution_max; law = hooke, and ed).
 
 Exit codes: 0 done, 1 the run failed, 2 bad input.";
 
+pub(super) const REPLAY_EXAMPLES: &str = "\
+Examples:
+  beadlab fig5b --record talk.tape       what is done in the explorer, as lines of text
+  beadlab replay talk.tape               once more, to look at again and to go back in
+  beadlab replay talk.tape --format text played without pictures, states compared
+  beadlab replay talk.tape --format csv --every 1e-3 --column 2
+
+A tape has the scenes, the edits and when they acted, and hashes of the states. It
+gives the same bits on every machine; a state that differs is named with its time
+(exit code 1). A tape that was cut is played up to there.";
+
 pub(super) const ACCURACY_EXAMPLES: &str = "\
 Examples:
   beadlab accuracy                       Fig. 1(b): error against run time

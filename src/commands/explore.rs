@@ -1,16 +1,23 @@
 //! `beadlab [PRESET|FILE.toml]`: the explorer.
 
-use std::io::{IsTerminal, stdin, stdout};
+use std::fs::File;
+use std::io::{ErrorKind, IsTerminal, stdin, stdout};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::Failure;
+use crate::live::Recording;
 use crate::physics;
 use crate::scene::Preset;
+use crate::scene::words::one_line;
+use crate::tape::Tape;
+use crate::tui::Session;
 use crate::tui::event_loop::Ending;
 use crate::tui::model::Origin;
 use crate::tui::theme::Theme;
 
 /// How to explore.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug)]
 pub struct ExploreOptions {
     /// Write no byte beyond ASCII, whatever the terminal says of itself.
     pub ascii: bool,
@@ -18,6 +25,10 @@ pub struct ExploreOptions {
     pub speed: Option<f64>,
     /// Memory for what was, to go back to, bytes.
     pub memory: usize,
+    /// A tape to play.
+    pub tape: Option<Tape>,
+    /// A new file for a tape of the session.
+    pub record: Option<PathBuf>,
 }
 
 /// Opens the explorer and returns when it is left. A signal ends the process with
@@ -25,7 +36,7 @@ pub struct ExploreOptions {
 ///
 /// # Errors
 /// When there is no terminal, or it cannot be used.
-pub fn explore(preset: Preset, origin: Origin, options: &ExploreOptions) -> Result<(), Failure> {
+pub fn explore(preset: Preset, origin: Origin, options: ExploreOptions) -> Result<(), Failure> {
     for (is_terminal, which) in [
         (stdin().is_terminal(), "input"),
         (stdout().is_terminal(), "output"),
@@ -57,11 +68,34 @@ pub fn explore(preset: Preset, origin: Origin, options: &ExploreOptions) -> Resu
         "TERM" => term.clone(),
         name => variable(name),
     });
+    let recording = options.record.as_deref().map(create).transpose()?;
+    let session = Session {
+        preset,
+        origin,
+        speed: options.speed,
+        memory: options.memory,
+        tape: options.tape.map(Arc::new),
+        recording,
+    };
     let build = Box::new(physics::build);
-    match crate::tui::run(preset, origin, options.speed, theme, build, options.memory)
-        .map_err(Failure::Failed)?
-    {
+    match crate::tui::run(session, theme, build).map_err(Failure::Failed)? {
         Ending::Quit => Ok(()),
         Ending::Signal(number) => std::process::exit(128 + number),
+    }
+}
+
+/// A new file for a tape, never one that is there.
+fn create(path: &Path) -> Result<(String, Recording), Failure> {
+    let name = one_line(&path.to_string_lossy());
+    match File::create_new(path) {
+        Ok(file) => Ok((name, Recording::new(Box::new(file)))),
+        Err(error) => {
+            let why = match error.kind() {
+                ErrorKind::AlreadyExists => "is there already, and no tape is written over".into(),
+                ErrorKind::NotFound => "there is no such folder".to_owned(),
+                _ => one_line(&error.to_string()),
+            };
+            Err(Failure::BadInput(format!("--record {name}: {why}")))
+        }
     }
 }

@@ -151,7 +151,10 @@ mod tests {
     fn formats_are_asked_for_what_they_write() {
         let [text, ..] = FORMATS;
         let line = refused(text, Some(1e-3));
-        assert_eq!(line, "--every: needs --format csv, which prints the motion");
+        assert_eq!(
+            line,
+            "--every: needs --format csv or xyz, which print the motion"
+        );
         let of_motion = Format {
             name: "film",
             results: None,

@@ -11,6 +11,7 @@ use super::History;
 use super::history::Sample;
 use super::runner::Runner;
 use crate::scene::Scene;
+use crate::tape::{Edit, Tape};
 
 /// Moments may cost this part of the time in which columns move.
 const COST: u32 = 64;
@@ -78,23 +79,17 @@ impl Position {
     }
 }
 
-/// An edit, to be made again when its time comes again.
-#[derive(Debug, Clone)]
-pub(super) struct Edit {
-    /// When it acted, s.
-    pub time: f64,
-    pub scenes: Vec<Scene>,
-    pub from: Vec<usize>,
-}
-
 /// All that can be gone back to, within its memory.
 pub(super) struct Past {
     /// By time, no two at the same.
     moments: Vec<(Position, usize)>,
+    /// What the columns were of at the start.
+    scenes: Vec<Scene>,
     edits: Vec<Edit>,
     samples: VecDeque<Sample>,
-    /// Simulated time up to which it is known, s.
+    /// Simulated time up to which it is known, s, and up to which columns have moved here.
     end: f64,
+    simulated: f64,
     /// Memory for all this, bytes, and what the moments take of it.
     memory: usize,
     held: usize,
@@ -108,9 +103,11 @@ impl Past {
     pub fn new(memory: usize) -> Past {
         Past {
             moments: Vec::new(),
+            scenes: Vec::new(),
             edits: Vec::new(),
             samples: VecDeque::new(),
             end: 0.0,
+            simulated: 0.0,
             memory,
             held: 0,
             driven: Duration::ZERO,
@@ -121,7 +118,31 @@ impl Past {
     /// Begins anew with these columns.
     pub fn begin(&mut self, position: &Position) {
         *self = Past::new(self.memory);
+        self.scenes = position.scenes();
         self.keep(position);
+    }
+
+    /// Takes for known what a tape has of the columns that begin.
+    pub fn foretell(&mut self, tape: &Tape) {
+        self.edits.clone_from(&tape.edits);
+        self.end = self.end.max(tape.end());
+    }
+
+    /// What the columns were of at the start.
+    pub fn scenes(&self) -> &[Scene] {
+        &self.scenes
+    }
+
+    /// All edits so far.
+    pub fn edits(&self) -> &[Edit] {
+        &self.edits
+    }
+
+    /// Whether a moment at `time`, s, would be later than all there are.
+    pub fn is_new(&self, time: f64) -> bool {
+        self.moments
+            .last()
+            .is_none_or(|(last, _)| last.reached < time)
     }
 
     /// Up to when it is known, s.
@@ -131,10 +152,11 @@ impl Past {
 
     /// The columns have come to `time`, s, in so much time of work.
     pub fn reach(&mut self, time: f64, took: Duration) {
-        if time > self.end {
-            self.end = time;
+        if time > self.simulated {
+            self.simulated = time;
             self.driven += took;
         }
+        self.end = self.end.max(time);
     }
 
     /// Whether there is time for another moment.
@@ -196,7 +218,7 @@ impl Past {
         self.edits.get(edits)
     }
 
-    /// Forgets all that is later than these columns; how much that was, s, if anything.
+    /// Forgets all that is later than these columns; how much that was, s, if anything was.
     pub fn fork(&mut self, position: &Position) -> Option<f64> {
         let later = self.end - position.reached;
         if later <= 0.0 && self.edits.len() == position.edits {
@@ -212,7 +234,8 @@ impl Past {
         self.samples
             .retain(|sample| sample.time <= position.reached);
         self.end = position.reached;
-        (later > 0.0).then_some(later)
+        self.simulated = position.reached;
+        Some(later)
     }
 
     /// The number of moments up to `time`, s.

@@ -81,6 +81,7 @@ mod tests {
             sides: Vec::new(),
             scenes: Vec::new(),
             end: time,
+            recorded: None,
             history,
             whole: false,
             towards: None,

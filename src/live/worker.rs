@@ -1,6 +1,7 @@
 //! The loop of the simulation thread.
 
 mod scenes;
+mod tape;
 mod travel;
 
 use std::time::{Duration, Instant};
@@ -10,6 +11,7 @@ use crossbeam_channel::{Receiver, RecvTimeoutError};
 use super::clock::Clock;
 use super::history::{ColumnSample, History, Sample};
 use super::past::{Past, Position};
+use super::recording::{Played, Written};
 use super::runner::{Build, Runner};
 use super::shadow::Shadow;
 use super::slot::Outlet;
@@ -36,6 +38,9 @@ pub(super) struct Worker {
     /// When the columns are on their way to another time, that time, s.
     under_way: Option<f64>,
     past: Past,
+    /// The tape that is written, and the one that is played.
+    written: Option<Written>,
+    played: Option<Played>,
     /// Since when another time of the past is sought, while it is not reached.
     sought: Option<Instant>,
     /// Whether it goes on from a time that it is on its way to.
@@ -67,6 +72,8 @@ impl Worker {
             position: Position::default(),
             under_way: None,
             past: Past::new(memory),
+            written: None,
+            played: None,
             sought: None,
             goes_on: false,
             shadows: None,
@@ -107,7 +114,10 @@ impl Worker {
                     true
                 }
                 Err(RecvTimeoutError::Timeout) => false,
-                Err(RecvTimeoutError::Disconnected) => return,
+                Err(RecvTimeoutError::Disconnected) => {
+                    self.end_tape();
+                    return;
+                }
             };
             if !self.paused {
                 self.clock.tick(self.position.reached, Instant::now());
@@ -155,6 +165,8 @@ impl Worker {
                 self.edit(scenes, from.clone());
                 self.shade_again(&from);
             }
+            Order::Record(recording) => self.record(recording.as_ref()),
+            Order::Play(tape) => self.play(&tape),
             Order::Shadow(on) => self.shade(on),
             Order::Run(running) => self.set_running(running),
             Order::Speed(speed) => self.set_speed(speed),
@@ -204,13 +216,14 @@ impl Worker {
             let until = sample_time
                 .min(self.clock.goal())
                 .min(reached + self.stretch)
+                .min(self.next_mark())
                 .min(edit.map_or(f64::INFINITY, |edit| edit.time));
             self.under_way = Some(until);
             let arrived = self.position.advance(until);
             if arrived {
                 self.arrive(until);
                 if until >= sample_time {
-                    self.record();
+                    self.sample();
                     taken += 1;
                     self.hold_if_full(sample);
                 }
@@ -235,6 +248,7 @@ impl Worker {
     fn arrive(&mut self, until: f64) {
         self.position.reached = until;
         self.under_way = None;
+        self.mark();
         let due = |past: &Past, edits| {
             past.edit_after(edits)
                 .is_some_and(|edit| edit.time <= until)
@@ -243,6 +257,7 @@ impl Worker {
             let mut position = std::mem::take(&mut self.position);
             self.make_again(&mut position);
             self.position = position;
+            self.mark();
         }
     }
 
@@ -256,7 +271,7 @@ impl Worker {
         }
     }
 
-    fn record(&mut self) {
+    fn sample(&mut self) {
         let errors: Vec<Option<f64>> = (0..self.position.runners.len())
             .map(|index| self.shadow(index)?.height())
             .collect();
@@ -326,6 +341,7 @@ impl Worker {
             sides,
             scenes: self.position.scenes(),
             end: self.past.end(),
+            recorded: self.written.as_ref().map(Written::to),
             whole,
             towards: self.is_travelling().then(|| self.clock.goal()),
             history: std::mem::replace(&mut self.history, empty),
@@ -345,7 +361,7 @@ impl Worker {
     /// Keeps this moment, where it is a new one and there is time to.
     fn remember(&mut self) {
         let started = Instant::now();
-        let new = self.position.reached >= self.past.end() && self.under_way.is_none();
+        let new = self.past.is_new(self.position.reached) && self.under_way.is_none();
         if new && self.past.affords() {
             self.past.keep(&self.position);
             self.past.spend(started.elapsed());

@@ -5,6 +5,7 @@ mod csv;
 mod json;
 mod series;
 mod text;
+mod xyz;
 
 use super::findings::Finding;
 use crate::physics::Observation;
@@ -12,7 +13,7 @@ use crate::scene::Scene;
 use std::io::{self, Write};
 
 /// All formats, as help lists them.
-pub static FORMATS: [Format; 3] = [text::FORMAT, json::FORMAT, csv::FORMAT];
+pub static FORMATS: [Format; 4] = [text::FORMAT, json::FORMAT, csv::FORMAT, xyz::FORMAT];
 
 /// A format of `beadlab run`.
 #[derive(Debug, Clone, Copy)]

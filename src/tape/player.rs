@@ -1,6 +1,6 @@
 //! Columns on one clock, edits and all, without a thread or a screen.
 
-use super::{Edit, digest};
+use super::{Edit, Tape, digest};
 use crate::physics::{self, Engine, EngineError, Observation, Outcome, State};
 use crate::scene::Scene;
 
@@ -37,6 +37,64 @@ pub fn sources(
                 .cloned()
         })
         .collect()
+}
+
+/// Steps or events between two words about how far it is.
+const BUDGET: u64 = 200_000;
+
+/// A tape that is played again.
+pub struct Replay {
+    /// Its columns.
+    pub player: Player,
+    /// Edits made.
+    pub edits: usize,
+    /// States compared.
+    pub compared: usize,
+    /// When a state first was another than on the tape, s, and of which column, from 1.
+    pub differs: Option<(f64, usize)>,
+}
+
+impl Replay {
+    /// The start of a tape.
+    pub fn new(tape: &Tape) -> Replay {
+        Replay {
+            player: Player::new(&tape.scenes),
+            edits: 0,
+            compared: 0,
+            differs: None,
+        }
+    }
+
+    /// Moves on to `until`, s, through all that the tape has on the way; `told` hears how far
+    /// it is.
+    pub fn go(&mut self, tape: &Tape, until: f64, told: &mut dyn FnMut(f64)) {
+        loop {
+            let edit = tape.edits.get(self.edits);
+            let mark = tape.marks.get(self.compared);
+            let next = edit.map_or(f64::INFINITY, |edit| edit.time);
+            let next = next.min(mark.map_or(f64::INFINITY, |mark| mark.time));
+            let goal = until.min(next);
+            while !self.player.advance(goal, BUDGET) {
+                told(self.player.reached());
+            }
+            told(self.player.reached());
+            // A state from before an edit at the same time comes first.
+            if let Some(mark) = mark.filter(|mark| mark.time <= goal && mark.edits <= self.edits) {
+                let hashes = self.player.hashes();
+                let pairs = mark.hashes.iter().zip(&hashes);
+                let same = pairs.take_while(|(before, now)| before == now).count();
+                if same < mark.hashes.len().max(hashes.len()) && self.differs.is_none() {
+                    self.differs = Some((mark.time, same + 1));
+                }
+                self.compared += 1;
+            } else if let Some(edit) = edit.filter(|edit| edit.time <= goal) {
+                self.player.edit(edit);
+                self.edits += 1;
+            } else {
+                return;
+            }
+        }
+    }
 }
 
 /// A column that is played.
@@ -98,6 +156,10 @@ impl Player {
     /// Moves on to `until`, s, in at most so many steps or events a column; whether all have
     /// come there.
     pub fn advance(&mut self, until: f64, budget: u64) -> bool {
+        // An edit may leave an engine at its last step, a little before.
+        if until <= self.reached {
+            return true;
+        }
         let mut arrived = true;
         for column in &mut self.columns {
             let Ok(engine) = &mut column.engine else {

@@ -17,7 +17,7 @@ use super::model::Model;
 use super::signals::{HANGUP, Signal};
 use super::update::{Command, Msg, update};
 use super::view::view;
-use crate::live::{Frame, Live, Order};
+use crate::live::{Frame, Live, Order, Recording};
 use crate::scene::Scene;
 use crate::study::verdict::Verdict;
 
@@ -47,6 +47,11 @@ pub trait Stage {
     fn resume(&mut self);
     /// Put a text where the terminal's own pasting finds it.
     fn copy(&mut self, text: &str);
+    /// A file of a new name that begins so, for a tape, and its name.
+    ///
+    /// # Errors
+    /// When there can be none, in a line.
+    fn open_tape(&mut self, stem: &str) -> Result<(String, Recording), String>;
     /// Write a file of a new name that begins so; its name.
     ///
     /// # Errors
@@ -230,6 +235,15 @@ impl<B: Backend> EventLoop<'_, B> {
                 self.forget_screen()?;
             }
             Some(Command::Order(order)) => self.send(order),
+            Some(Command::Record(stem)) => match self.stage.open_tape(&stem) {
+                Ok((name, recording)) => {
+                    let line = format!("recording to {name}; R ends it");
+                    self.model.say(line, false, Instant::now());
+                    self.model.tape_name = Some(name);
+                    self.send(Order::Record(Some(recording)));
+                }
+                Err(why) => self.model.say(why, true, Instant::now()),
+            },
             Some(Command::Copy(text)) => self.stage.copy(&text),
             Some(Command::Keep { stem, ending, text }) => {
                 let kept = self.stage.keep(&stem, ending, &text);

@@ -54,6 +54,8 @@ pub enum Action {
     CommandLine,
     /// A file of what is simulated.
     Save,
+    /// A tape of the session, begun or ended.
+    Record,
     /// Draw the whole screen again.
     Redraw,
     /// Stop the program for a while, as the shell's job.
@@ -220,6 +222,7 @@ pub const BINDINGS: &[Binding] = &[
         "the command that opens this; copied, and told on leaving",
     ),
     key(&[Char('s')], Action::Save).help("s", "save this as a preset file, never over another"),
+    key(&[Char('R')], Action::Record).help("R", "record the session to a tape; end it"),
     key(&[Char('?'), Char('h')], Action::Help)
         .help("?", "this help")
         .hint("?", "help", 0),

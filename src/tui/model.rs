@@ -98,6 +98,10 @@ pub struct Model {
     pub entered: Vec<String>,
     /// The line of the moment.
     pub message: Option<Message>,
+    /// What the tape is called that was begun last.
+    pub tape_name: Option<String>,
+    /// Up to when a tape is written, s, while one is.
+    pub recorded: Option<f64>,
     /// A line for the shell, on leaving.
     pub parting: Option<String>,
     /// For how long the preset's texts have been read.
@@ -147,6 +151,8 @@ impl Model {
             overlay: Overlay::None,
             entered: Vec::new(),
             message: None,
+            tape_name: None,
+            recorded: None,
             parting: None,
             reading: ReadingTime::default(),
             theme,
@@ -214,6 +220,7 @@ impl Model {
         // A frame from before the last order would take that order back on the screen.
         if frame.orders >= self.orders {
             (self.paused, self.held) = (frame.paused, frame.held);
+            self.recorded = frame.recorded;
             self.bench.show(&frame.scenes);
         }
         let history = std::mem::replace(&mut frame.history, History::new(1));

@@ -36,6 +36,8 @@ pub enum Msg {
 pub enum Command {
     /// An order to the simulation thread.
     Order(Order),
+    /// Write a tape of the session to a new file of that stem.
+    Record(String),
     /// Put a text where the terminal's own pasting finds it.
     Copy(String),
     /// Write a file of that stem and ending, and say its name.
@@ -162,6 +164,17 @@ fn tell_command_line(model: &mut Model, now: Instant) -> Option<Command> {
     Some(Command::Copy(line))
 }
 
+/// Begins a tape, or ends the one that is written.
+fn record(model: &mut Model, now: Instant) -> Command {
+    if model.recorded.is_none() {
+        return Command::Record(model.preset.name.clone());
+    }
+    let name = model.tape_name.as_deref().unwrap_or("the tape");
+    let line = format!("{name} is written; `beadlab replay` plays it");
+    model.say(line, false, now);
+    Command::Order(Order::Record(None))
+}
+
 /// Asks for a preset file of what is simulated.
 fn save(model: &Model) -> Command {
     Command::Keep {
@@ -258,6 +271,7 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
         }
         Action::CommandLine => tell_command_line(model, now),
         Action::Save => Some(save(model)),
+        Action::Record => Some(record(model, now)),
         Action::Redraw => Some(Command::Redraw),
         Action::Suspend => Some(Command::Suspend),
         Action::Quit => Some(Command::Quit),

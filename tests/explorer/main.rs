@@ -1,7 +1,6 @@
 //! The explorer: keys on its model, its simulation thread, its loop on a screen in memory, and
 //! the built program on pseudo-terminals.
 
-#[cfg(target_os = "linux")]
 #[path = "../support/dice.rs"]
 mod dice;
 
@@ -25,6 +24,7 @@ mod screens;
 mod shadow;
 #[cfg(target_os = "linux")]
 mod slow_link;
+mod tape;
 #[cfg(target_os = "linux")]
 mod terminal;
 mod verdict;

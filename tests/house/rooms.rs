@@ -7,21 +7,26 @@ use std::path::{Path, PathBuf};
 use crate::source::Source;
 
 /// Each room, and the rooms that it may name, in tests of its own too.
-const ROOMS: [(&str, &[&str]); 9] = [
+const ROOMS: [(&str, &[&str]); 10] = [
     ("math", &[]),
     ("numerals", &["math"]),
     ("scene", &["math", "numerals"]),
     ("physics", &["math", "scene"]),
     ("study", &["math", "numerals", "scene", "physics"]),
-    ("live", &["math", "scene", "physics"]),
+    ("tape", &["scene", "physics"]),
+    ("live", &["math", "scene", "physics", "tape"]),
     (
         "tui",
-        &["math", "numerals", "scene", "physics", "study", "live"],
+        &[
+            "math", "numerals", "scene", "physics", "study", "tape", "live",
+        ],
     ),
     ("cli", &["scene", "study"]),
     (
         "commands",
-        &["math", "scene", "physics", "study", "live", "tui", "cli"],
+        &[
+            "math", "scene", "physics", "study", "tape", "live", "tui", "cli",
+        ],
     ),
 ];
 

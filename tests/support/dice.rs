@@ -13,6 +13,12 @@ impl Dice {
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
+    /// A whole number below `count`, which is small.
+    pub fn below(&mut self, count: u32) -> usize {
+        let roll = self.roll() * f64::from(count);
+        (1..count).filter(|&k| f64::from(k) <= roll).count()
+    }
+
     pub fn chance(&mut self, p: f64) -> bool {
         self.roll() < p
     }

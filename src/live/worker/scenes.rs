@@ -3,11 +3,12 @@
 use std::time::{Duration, Instant};
 
 use super::{Worker, note_once};
-use crate::live::past::{Edit, Position};
+use crate::live::past::Position;
 use crate::live::runner::{Build, Runner};
 use crate::live::shadow::Shadow;
 use crate::physics::State;
 use crate::scene::Scene;
+use crate::tape::{Edit, sources};
 
 /// Columns are brought to one time before an edit for so long at most.
 const ALIGN: Duration = Duration::from_secs(2);
@@ -27,20 +28,28 @@ impl Worker {
         self.clock.stand_at(0.0, Instant::now());
         self.history.clear();
         self.past.begin(&self.position);
-        self.record();
+        self.played = None;
+        let (scenes, every) = (self.position.scenes(), self.marks_apart());
+        self.write(|written, _| written.start(&scenes, every));
+        self.sample();
     }
 
     /// Makes an edit now; what was known to come later is forgotten.
     pub(super) fn edit(&mut self, scenes: Vec<Scene>, from: Vec<usize>) {
         self.align();
-        if let Some(later) = self.past.fork(&self.position) {
+        let forked = self.past.fork(&self.position);
+        if let Some(later) = forked.filter(|later| *later > 0.0) {
             self.notes.push(format!(
                 "going on from here: {later:.3} s that came after are dropped"
             ));
         }
-        let time = self.position.reached;
-        if !change(&mut self.build, &mut self.position, scenes.clone(), &from) {
-            self.restart(scenes);
+        if let Some(played) = &mut self.played {
+            played.fork(&self.position);
+        }
+        let (time, edits) = (self.position.reached, self.position.edits);
+        let edit = Edit { time, scenes, from };
+        if !change(&mut self.build, &mut self.position, &edit) {
+            self.restart(edit.scenes);
             self.notes
                 .push("no running column to go on from: started again".into());
             return;
@@ -49,12 +58,13 @@ impl Worker {
         if let Some(note) = columns.find_map(Runner::take_plate_note) {
             note_once(&mut self.notes, note);
         }
-        self.past.edit(Edit { time, scenes, from });
+        self.write(|written, _| written.edit(&edit, edits, forked.is_some()));
+        self.past.edit(edit);
         self.past.keep(&self.position);
     }
 
     /// Brings the columns to one time: the faster one is ahead by about a slice.
-    fn align(&mut self) {
+    pub(super) fn align(&mut self) {
         let Some(until) = self.under_way else {
             return;
         };
@@ -72,7 +82,7 @@ impl Worker {
         let Some(edit) = self.past.edit_after(position.edits).cloned() else {
             return;
         };
-        change(&mut self.build, position, edit.scenes, &edit.from);
+        change(&mut self.build, position, &edit);
         // What they have to say was said when the edit was made.
         for column in &mut position.runners {
             column.take_note();
@@ -131,42 +141,16 @@ impl Worker {
 
 /// Other scenes, each from the state of the column it follows. The follower of a failed
 /// column takes the state of its twin; whether there is one to go on from.
-fn change(build: &mut Build, position: &mut Position, scenes: Vec<Scene>, from: &[usize]) -> bool {
-    let Position {
-        runners,
-        reached,
-        edits,
-    } = position;
-    let mut states: Vec<Option<State>> = runners.iter_mut().map(Runner::state).collect();
-    // A column may be ahead of the other by some time: the plate turns after both.
-    let times = states.iter().flatten().map(|state| state.time);
-    let latest = times.fold(*reached, f64::max);
-    let present = states.iter_mut().flatten();
-    present.for_each(|state| state.settle(latest));
-    let shape = |scene: &Scene| (scene.n, scene.sites().is_some());
-    let shapes: Vec<_> = runners.iter().map(|runner| shape(runner.scene())).collect();
-    let fits = |scene: &Scene, index: usize| {
-        states
-            .get(index)?
-            .as_ref()
-            .filter(|_| shapes.get(index) == Some(&shape(scene)))
-    };
-    let sources: Option<Vec<&State>> = scenes
-        .iter()
-        .zip(from)
-        .map(|(scene, &own)| {
-            fits(scene, own).or_else(|| (0..states.len()).find_map(|other| fits(scene, other)))
-        })
-        .collect();
-    let Some(sources) = sources else {
+fn change(build: &mut Build, position: &mut Position, edit: &Edit) -> bool {
+    let present = position.scenes();
+    let states = position.runners.iter_mut().map(Runner::state).collect();
+    let (scenes, time) = (&edit.scenes, position.reached);
+    let Some(states) = sources(&present, states, time, scenes, &edit.from) else {
         return false;
     };
-    let time = *reached;
-    *runners = scenes
-        .into_iter()
-        .zip(sources)
-        .map(|(scene, state)| Runner::new(build, scene, Some(state), time))
-        .collect();
-    *edits += 1;
+    let mut column =
+        |(scene, state): (&Scene, &State)| Runner::new(build, scene.clone(), Some(state), time);
+    position.runners = scenes.iter().zip(&states).map(&mut column).collect();
+    position.edits += 1;
     true
 }

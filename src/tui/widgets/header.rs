@@ -121,7 +121,9 @@ fn time(model: &Model) -> String {
 
 /// Simulated time, and how fast it goes.
 fn clock(model: &Model) -> String {
-    let time = time(model);
+    let rec = model.theme.symbol("● rec  ", "* rec  ");
+    let rec = if model.recorded.is_some() { rec } else { "" };
+    let time = format!("{rec}{}", time(model));
     let asked = speed_text(model.speed.factor());
     let glyph = |unicode, ascii| model.theme.symbol(unicode, ascii);
     if model.held {
