@@ -323,3 +323,45 @@ fn a_silent_terminal_gets_a_careful_rate() {
     session.type_keys("q");
     assert_eq!(session.wait_for_end().code(), Some(0));
 }
+
+/// Killed at some moment, a recording is a tape up to its last whole line.
+fn killed_while_recording(moments: u32) {
+    for k in 0..moments {
+        let folder = std::env::temp_dir();
+        let path = folder.join(format!("beadlab-killed-{}-{k}.tape", std::process::id()));
+        let path = path.to_str().expect("a UTF-8 path").to_owned();
+        // A file of a run that was stopped; there is none otherwise.
+        let _ = std::fs::remove_file(&path);
+        let arguments = ["fig5b", "--speed", "1", "--record", &path];
+        let mut session = Session::start(&arguments, true);
+        wait(
+            || {
+                let text = std::fs::read_to_string(&path).unwrap_or_default();
+                (text.lines().count() > 2).then_some(())
+            },
+            "the recording to begin",
+        );
+        session.type_keys("eE");
+        thread::sleep(Duration::from_micros(u64::from(k) * 7919 % 90_000));
+        session.signal(Signal::KILL);
+        session.wait_for_end();
+        let text = std::fs::read_to_string(&path).expect("a tape");
+        let tape = beadlab::tape::Tape::read(&text).expect("a tape up to there");
+        assert!(tape.marks.len() + tape.edits.len() > 0, "{text}");
+        let mut replay = beadlab::tape::Replay::new(&tape);
+        replay.go(&tape, tape.end(), &mut |_| {});
+        assert_eq!(replay.differs, None, "{text}");
+        std::fs::remove_file(&path).expect("the tape is there");
+    }
+}
+
+#[test]
+fn a_killed_recording_is_played_up_to_there() {
+    killed_while_recording(3);
+}
+
+#[test]
+#[ignore = "fifty sessions take half a minute"]
+fn fifty_killed_recordings_are_played_up_to_there() {
+    killed_while_recording(50);
+}

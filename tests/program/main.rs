@@ -8,6 +8,7 @@ mod command_line;
 mod lattice;
 mod motion_series;
 mod outputs;
+mod replay;
 mod resume;
 mod sweep;
 mod unsound_runs;

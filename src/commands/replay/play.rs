@@ -25,7 +25,7 @@ pub(super) fn verdict(replay: &Replay) -> Result<(), Failure> {
 /// Moves on to `until`, s, of `end`, through all that the tape has on the way.
 fn go(replay: &mut Replay, tape: &Tape, until: f64, end: f64, waiting: &mut Waiting) {
     replay.go(tape, until, &mut |time| {
-        waiting.show("playing", Some(time / end))
+        waiting.show("playing", Some(time / end));
     });
 }
 
@@ -62,7 +62,7 @@ pub(super) fn motion(
     let mut rows_of = Rows {
         index,
         every,
-        rows,
+        count: rows,
         end,
     };
     let written = rows_of.write(scene, &mut played, tape, format, &mut output, waiting);
@@ -77,7 +77,7 @@ pub(super) fn motion(
 struct Rows {
     index: usize,
     every: f64,
-    rows: f64,
+    count: f64,
     end: f64,
 }
 
@@ -97,7 +97,7 @@ impl Rows {
         let mut writer = begin(scene, output)?;
         let mut now = Observation::default();
         let mut row = 0.0;
-        while row <= self.rows {
+        while row <= self.count {
             let until = (row * self.every).min(self.end);
             go(played, tape, until, self.end, waiting);
             // A column that is taken away, or has stopped, has no more rows.

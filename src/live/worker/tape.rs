@@ -5,12 +5,13 @@ use std::io;
 use super::Worker;
 use crate::live::past::Position;
 use crate::live::recording::{Played, Recording, Written};
+use crate::live::runner::Runner;
 use crate::tape::Tape;
 
 impl Worker {
     /// Time between two states on a tape: a period of the plate, or else the first page.
     pub(super) fn marks_apart(&self) -> f64 {
-        let scene = self.position.runners.first().map(|column| column.scene());
+        let scene = self.position.runners.first().map(Runner::scene);
         let period = scene.and_then(|scene| scene.period());
         period.unwrap_or(self.sweep.span)
     }

@@ -22,6 +22,10 @@ struct Frames<'a> {
     output: &'a mut dyn Write,
 }
 
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "other formats have a header to write"
+)]
 /// Begins with nothing: every frame says itself what it has.
 fn begin<'a>(
     scene: &'a Scene,
