@@ -15,7 +15,7 @@ pub use recorder::Recorder;
 
 use crate::physics::State;
 use crate::scene::Scene;
-use line::{Line, Sums, VERSION};
+use line::{Sums, TapeLine, VERSION};
 use std::io;
 
 /// An edit of a session.
@@ -30,10 +30,10 @@ pub struct Edit {
 }
 
 /// The columns' states at a time, as hashes; "" where an engine has failed.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mark<T = f64> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct StateMark {
     /// When, s.
-    pub time: T,
+    pub time: f64,
     /// How many edits had acted.
     pub edits: usize,
     /// A hash a column.
@@ -48,7 +48,7 @@ pub struct Tape {
     /// The edits that count, by time.
     pub edits: Vec<Edit>,
     /// Their states, by time.
-    pub marks: Vec<Mark>,
+    pub marks: Vec<StateMark>,
     /// Where it was cut off, if it was: the number of its first line that is not whole.
     pub cut: Option<usize>,
 }
@@ -77,12 +77,12 @@ impl Tape {
             };
             let line = sums.check(number, line)?;
             match (line, tape.as_mut()) {
-                (Line::Tape { version, .. }, _) if version > VERSION => {
+                (TapeLine::Tape { version, .. }, _) if version > VERSION => {
                     return Err(TapeError::Newer { version });
                 }
-                (Line::Tape { .. }, _) if number == 1 => {}
+                (TapeLine::Tape { .. }, _) if number == 1 => {}
                 (_, _) if number == 1 => return Err(TapeError::NoTape),
-                (Line::Start { columns }, _) => {
+                (TapeLine::Start { columns }, _) => {
                     tape = Some(Tape {
                         scenes: line::scenes(number, &columns)?,
                         edits: Vec::new(),
@@ -91,7 +91,7 @@ impl Tape {
                     });
                 }
                 (
-                    Line::Edit {
+                    TapeLine::Edit {
                         time,
                         columns,
                         from,
@@ -102,12 +102,12 @@ impl Tape {
                     scenes: line::scenes(number, &columns)?,
                     from,
                 }),
-                (Line::Back { time, edits }, Some(tape)) => {
+                (TapeLine::Back { time, edits }, Some(tape)) => {
                     tape.edits.truncate(edits);
                     tape.marks
                         .retain(|mark| mark.time <= time && mark.edits <= edits);
                 }
-                (Line::State { time, hashes }, Some(tape)) => tape.marks.push(Mark {
+                (TapeLine::State { time, hashes }, Some(tape)) => tape.marks.push(StateMark {
                     time,
                     edits: tape.edits.len(),
                     hashes,

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::past::Position;
 use super::runner::Runner;
 use crate::scene::Scene;
-use crate::tape::{Edit, Mark, Recorder, Sink, Tape};
+use crate::tape::{Edit, Recorder, Sink, StateMark, Tape};
 
 /// Where a tape is to be written, to be taken once.
 #[derive(Clone)]
@@ -107,7 +107,7 @@ impl Written {
 
 /// A tape that is played again.
 pub(super) struct Played {
-    marks: Vec<Mark>,
+    marks: Vec<StateMark>,
     /// Whether a state was another one than on the tape.
     pub differs: bool,
 }

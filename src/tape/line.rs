@@ -48,7 +48,7 @@ pub enum TapeError {
 /// A line. Scenes are written as the lines of a preset file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub(super) enum Line {
+pub(super) enum TapeLine {
     /// What this is.
     Tape { version: u32, program: String },
     /// Columns that start at t = 0; all that was before counts no longer.
@@ -84,7 +84,7 @@ impl Default for Sums {
 
 impl Sums {
     /// A line as it is written, with its check sum and its end.
-    pub fn write(&mut self, line: &Line) -> String {
+    pub fn write(&mut self, line: &TapeLine) -> String {
         let body = serde_json::to_string(line).unwrap_or_default();
         self.0 = fnv(self.0, body.bytes());
         let open = body.strip_suffix('}').unwrap_or(&body);
@@ -92,7 +92,7 @@ impl Sums {
     }
 
     /// The line of that number, if it is as it was written.
-    pub fn check(&mut self, number: usize, text: &str) -> Result<Line, TapeError> {
+    pub fn check(&mut self, number: usize, text: &str) -> Result<TapeLine, TapeError> {
         let altered = match number {
             1 => TapeError::NoTape,
             line => TapeError::Altered { line },

@@ -1,6 +1,6 @@
 //! What writes a tape as the session goes.
 
-use super::line::{Line, Sums, VERSION};
+use super::line::{Sums, TapeLine, VERSION};
 use super::{Edit, Sink};
 use crate::scene::Scene;
 use std::io;
@@ -22,7 +22,7 @@ impl Recorder {
             sink,
             sums: Sums::default(),
         };
-        recorder.write(&Line::Tape {
+        recorder.write(&TapeLine::Tape {
             version: VERSION,
             program: env!("CARGO_PKG_VERSION").to_owned(),
         })?;
@@ -35,7 +35,7 @@ impl Recorder {
     /// When it cannot be written.
     pub fn start(&mut self, scenes: &[Scene]) -> io::Result<()> {
         let columns = texts(scenes);
-        self.write(&Line::Start { columns })
+        self.write(&TapeLine::Start { columns })
     }
 
     /// An edit acts.
@@ -43,7 +43,7 @@ impl Recorder {
     /// # Errors
     /// When it cannot be written.
     pub fn edit(&mut self, edit: &Edit) -> io::Result<()> {
-        self.write(&Line::Edit {
+        self.write(&TapeLine::Edit {
             time: edit.time,
             columns: texts(&edit.scenes),
             from: edit.from.clone(),
@@ -55,7 +55,7 @@ impl Recorder {
     /// # Errors
     /// When it cannot be written.
     pub fn back(&mut self, time: f64, edits: usize) -> io::Result<()> {
-        self.write(&Line::Back { time, edits })
+        self.write(&TapeLine::Back { time, edits })
     }
 
     /// The columns have come to `time`, s, and are in these states.
@@ -63,10 +63,10 @@ impl Recorder {
     /// # Errors
     /// When it cannot be written.
     pub fn state(&mut self, time: f64, hashes: Vec<String>) -> io::Result<()> {
-        self.write(&Line::State { time, hashes })
+        self.write(&TapeLine::State { time, hashes })
     }
 
-    fn write(&mut self, line: &Line) -> io::Result<()> {
+    fn write(&mut self, line: &TapeLine) -> io::Result<()> {
         let text = self.sums.write(line);
         self.sink.write_all(text.as_bytes())?;
         self.sink.flush()

@@ -25,7 +25,7 @@ const ROOMS: [(&str, &[&str]); 10] = [
     (
         "commands",
         &[
-            "math", "scene", "physics", "study", "tape", "live", "tui", "cli",
+            "math", "numerals", "scene", "physics", "study", "tape", "live", "tui", "cli",
         ],
     ),
 ];
