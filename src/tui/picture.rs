@@ -50,7 +50,7 @@ impl Units {
         };
         let late = start > LATE * span;
         let x = if late {
-            format!("time from {start} s on ({prefix}s)")
+            format!("time after {} ({prefix}s)", numbers::clock(start, span))
         } else {
             format!("time ({prefix}s)")
         };
