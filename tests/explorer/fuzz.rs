@@ -86,7 +86,7 @@ fn noise(dice: &mut Dice) -> Vec<u8> {
         .collect();
     bytes
         .into_iter()
-        .filter(|byte| !matches!(byte, b'q' | b's' | b'P' | 0x03 | 0x1a))
+        .filter(|byte| !matches!(byte, b'q' | b's' | b'R' | b'P' | 0x03 | 0x1a))
         .collect()
 }
 
