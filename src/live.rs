@@ -19,7 +19,7 @@ mod shadow;
 mod slot;
 mod worker;
 
-pub use history::{ColumnSample, History, Sample};
+pub use history::{ColumnSample, History, Sample, stride};
 pub use recording::Recording;
 pub use runner::Build;
 pub use sampling::Sampling;

@@ -16,6 +16,7 @@ pub mod link;
 pub mod model;
 mod numbers;
 pub mod outbox;
+mod picture;
 mod screen;
 pub mod signals;
 mod text;
@@ -27,6 +28,7 @@ pub mod view;
 mod widgets;
 
 use std::io::{self, Write};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -43,6 +45,7 @@ use outbox::{Outbox, StatusRequest};
 use screen::Screen;
 use theme::Theme;
 use tmux::Passage;
+use update::NewFile;
 
 /// The end of a tape is waited for so long.
 const LAST_WRITING: Duration = Duration::from_secs(1);
@@ -80,12 +83,12 @@ impl Stage for RealStage {
     }
 
     fn open_tape(&mut self, stem: &str) -> Result<(String, Recording), String> {
-        let (name, file) = files::create_new(stem, "tape")?;
+        let (name, file) = files::create_new(Path::new(""), stem, "tape")?;
         Ok((name, Recording::new(Box::new(file))))
     }
 
-    fn keep(&mut self, stem: &str, ending: &str, text: &str) -> Result<String, String> {
-        files::write_new(stem, ending, text)
+    fn keep(&mut self, stem: &str, files: &[NewFile]) -> Result<Vec<String>, String> {
+        files::write_new(Path::new(""), stem, files)
     }
 }
 

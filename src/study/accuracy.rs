@@ -88,7 +88,7 @@ pub fn accuracy(scene: &Scene, effort: Effort, tell: &mut Tell) -> Result<Report
 }
 
 /// What the scene of a report is, name by name.
-pub(super) fn facts(scene: &Scene, preset: &str) -> Vec<(String, String)> {
+pub fn facts(scene: &Scene, preset: &str) -> Vec<(String, String)> {
     let mut facts = vec![("scene".to_owned(), preset.to_owned())];
     for parameter in crate::scene::parameters::table() {
         if let Some(value) = (parameter.get)(scene.facts()) {

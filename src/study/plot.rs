@@ -18,6 +18,15 @@ pub enum SeriesStyle {
     Line,
     /// Markers alone.
     Points,
+    /// A thin grey line behind all others, for what they are held against.
+    Behind,
+}
+
+impl SeriesStyle {
+    /// Whether points are joined, and have no markers.
+    fn is_line(self) -> bool {
+        matches!(self, Self::Line | Self::Behind)
+    }
 }
 
 /// Points that belong together.
@@ -29,6 +38,8 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// How they are drawn.
     pub style: SeriesStyle,
+    /// Whether they look like the series before, whose name in the legend is theirs too.
+    pub alike: bool,
 }
 
 impl Series {
@@ -38,6 +49,16 @@ impl Series {
             name: name.into(),
             points,
             style: SeriesStyle::Both,
+            alike: false,
+        }
+    }
+
+    /// A series that looks like the one before it, and shares its name.
+    pub fn like(before: &Series, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            points,
+            alike: true,
+            ..before.clone()
         }
     }
 
@@ -85,12 +106,15 @@ impl Plot {
         series.points.iter().filter_map(place).collect()
     }
 
-    /// The spans that hold all points; none when there is no point.
-    fn bounds(&self) -> Option<(Bounds, Bounds)> {
-        let places: Vec<_> = self.series.iter().flat_map(|s| self.places(s)).collect();
-        let x = self.x.bounds(places.iter().map(|p| p.0))?;
-        let y = self.y.bounds(places.iter().map(|p| p.1))?;
-        Some((x, y))
+    /// The number of a series among those that look different.
+    fn look(&self, k: usize) -> usize {
+        let looks = self.series[..=k].iter().filter(|series| !series.alike);
+        looks.count().saturating_sub(1)
+    }
+
+    /// The series of the legend.
+    fn named(&self) -> impl Iterator<Item = &Series> {
+        self.series.iter().filter(|series| !series.alike)
     }
 
     /// As text of `width` columns and `height` lines, legend and labels included.
@@ -102,4 +126,22 @@ impl Plot {
     pub fn svg(&self) -> String {
         svg::draw(self)
     }
+}
+
+/// Plots of one kind side by side, over common axes and with one legend, as an SVG picture.
+pub fn svg_row(title: &str, plots: &[Plot]) -> String {
+    svg::row(title, plots)
+}
+
+/// The spans that hold all points of plots over the same axes; none when there is no point.
+fn bounds(plots: &[&Plot]) -> Option<(Bounds, Bounds)> {
+    let places = |plot: &&Plot| -> Vec<_> {
+        let each = plot.series.iter();
+        each.flat_map(|series| plot.places(series)).collect()
+    };
+    let places: Vec<_> = plots.iter().flat_map(places).collect();
+    let axes = plots.first()?;
+    let x = axes.x.bounds(places.iter().map(|p| p.0))?;
+    let y = axes.y.bounds(places.iter().map(|p| p.1))?;
+    Some((x, y))
 }

@@ -2,6 +2,7 @@
 
 use crate::numerals::{shortest, significant};
 use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
+use std::borrow::Cow;
 use std::fmt::Write;
 
 /// One value of a table.
@@ -67,7 +68,7 @@ pub enum Digits {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     /// Name in CSV and JSON, like `sim_time`.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Heading in text; the column is left out of text where it is empty.
     pub heading: &'static str,
     /// SI unit; empty for pure numbers and words.
@@ -80,7 +81,7 @@ impl Column {
     /// A column of numbers with three significant digits in text, or of words.
     pub const fn new(name: &'static str, heading: &'static str, unit: &'static str) -> Self {
         Self {
-            name,
+            name: Cow::Borrowed(name),
             heading,
             unit,
             digits: Digits::Significant(3),
@@ -234,7 +235,7 @@ impl Table {
         for note in &self.notes {
             let _ = writeln!(text, "# {note}");
         }
-        let header = self.columns.iter().map(|c| c.name.to_owned()).collect();
+        let header = self.columns.iter().map(|c| c.name.to_string()).collect();
         let cells = |row: &Vec<Cell>| row.iter().map(exactly).collect();
         let rows = self.rows.iter().map(cells);
         text + &records(std::iter::once(header).chain(rows)).unwrap_or_default()
@@ -298,7 +299,7 @@ impl Serialize for Named<'_> {
         let mut object = serializer.serialize_map(None)?;
         for (column, cell) in self.0.iter().zip(self.1) {
             if *cell != Cell::Empty {
-                object.serialize_entry(column.name, cell)?;
+                object.serialize_entry(&column.name, cell)?;
             }
         }
         object.end()
@@ -320,7 +321,7 @@ impl Serialize for Table {
             .columns
             .iter()
             .filter(|c| !c.unit.is_empty())
-            .map(|c| (c.name.to_owned(), c.unit.to_owned()))
+            .map(|c| (c.name.to_string(), c.unit.to_owned()))
             .collect();
         let rows: Vec<_> = self.rows.iter().map(|r| Named(&self.columns, r)).collect();
         let mut object = serializer.serialize_struct("Table", 6)?;

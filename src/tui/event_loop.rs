@@ -15,7 +15,7 @@ use super::judge::Judge;
 use super::link::Link;
 use super::model::Model;
 use super::signals::{HANGUP, Signal};
-use super::update::{Command, Msg, update};
+use super::update::{Command, Msg, NewFile, update};
 use super::view::view;
 use crate::live::{Frame, Live, Order, Recording};
 use crate::scene::Scene;
@@ -52,11 +52,11 @@ pub trait Stage {
     /// # Errors
     /// When there can be none, in a line.
     fn open_tape(&mut self, stem: &str) -> Result<(String, Recording), String>;
-    /// Write a file of a new name that begins so; its name.
+    /// Write files of new names that begin so; their names.
     ///
     /// # Errors
-    /// When it cannot be written, in a line.
-    fn keep(&mut self, stem: &str, ending: &str, text: &str) -> Result<String, String>;
+    /// When they cannot be written, in a line.
+    fn keep(&mut self, stem: &str, files: &[NewFile]) -> Result<Vec<String>, String>;
 }
 
 /// How the loop ended.
@@ -245,10 +245,11 @@ impl<B: Backend> EventLoop<'_, B> {
                 Err(why) => self.model.say(why, true, Instant::now()),
             },
             Some(Command::Copy(text)) => self.stage.copy(&text),
-            Some(Command::Keep { stem, ending, text }) => {
-                let kept = self.stage.keep(&stem, ending, &text);
+            Some(Command::Keep { stem, files }) => {
+                let kept = self.stage.keep(&stem, &files);
                 let alarm = kept.is_err();
-                let line = kept.map_or_else(|why| why, |name| format!("saved as {name}"));
+                let saved = |names: Vec<String>| format!("saved as {}", names.join(" and "));
+                let line = kept.map_or_else(|why| why, saved);
                 self.model.say(line, alarm, Instant::now());
             }
         }

@@ -17,6 +17,8 @@ pub enum Action {
     Restart,
     /// Slow down at the next landing until contacts can be watched, or go on as before.
     LookInto,
+    /// The present page behind those that follow, or no longer.
+    Ghost,
     /// One speed of the ladder slower or faster.
     Speed(i32),
     /// The next method for the left column.
@@ -56,6 +58,8 @@ pub enum Action {
     Save,
     /// A tape of the session, begun or ended.
     Record,
+    /// A picture of what the traces show, and its numbers.
+    Picture,
     /// Draw the whole screen again.
     Redraw,
     /// Stop the program for a while, as the shell's job.
@@ -182,6 +186,12 @@ pub const BINDINGS: &[Binding] = &[
     key(&[Char('r')], Action::Restart)
         .help("r", "start again from t = 0")
         .hint("r", "restart", 5),
+    key(&[Char('g')], Action::Ghost)
+        .help(
+            "g",
+            "keep this page as a ghost behind what follows; let it go",
+        )
+        .hint("g", "ghost", 11),
     key(&[Char('m')], Action::Method)
         .help("m", "next method: Gear, Verlet, exact, ED")
         .hint("m", "method", 6),
@@ -223,6 +233,12 @@ pub const BINDINGS: &[Binding] = &[
     ),
     key(&[Char('s')], Action::Save).help("s", "save this as a preset file, never over another"),
     key(&[Char('R')], Action::Record).help("R", "record the session to a tape; end it"),
+    key(&[Char('P')], Action::Picture)
+        .help(
+            "P",
+            "save the traces as a picture (SVG) and as numbers (CSV)",
+        )
+        .hint("P", "picture", 12),
     key(&[Char('?'), Char('h')], Action::Help)
         .help("?", "this help")
         .hint("?", "help", 0),

@@ -2,6 +2,7 @@
 
 mod bench;
 mod fit;
+mod ghost;
 mod keep;
 mod lens;
 mod message;
@@ -14,6 +15,7 @@ mod scale;
 
 pub use bench::{Bench, Change};
 use fit::sweep;
+pub use ghost::Ghost;
 pub use keep::Origin;
 pub use lens::Lens;
 pub use message::Message;
@@ -186,7 +188,8 @@ impl Model {
             0.0,
             self.speed.over(fitting),
         );
-        self.page = Page::new(sweep, self.bench.scenes());
+        let ghost = self.page.ghost.take();
+        self.page = Page::new(sweep, self.bench.scenes()).behind(ghost);
         self.end = 0.0;
         (self.numbers, self.column) = (Glimpse::default(), Glimpse::default());
         Order::Load {
@@ -202,6 +205,7 @@ impl Model {
     /// Puts another preset on the bench; the order that starts it.
     pub(super) fn load(&mut self, preset: Preset) -> Result<Order, String> {
         self.bench = Bench::new(&preset)?;
+        self.page.ghost = None;
         self.origin = Origin::of(&preset);
         self.preset = preset;
         self.selected = first_row(&self.bench);
@@ -225,6 +229,7 @@ impl Model {
         }
         let history = std::mem::replace(&mut frame.history, History::new(1));
         let turned = self.page.take(frame.time, history, frame.whole);
+        self.page.align_ghost(self.bench.period());
         self.end = frame.end;
         if !frame.notes.is_empty() {
             let failed = |side: &Side| matches!(side.status, Status::Failed(_));
@@ -245,6 +250,12 @@ impl Model {
             return None;
         }
         self.fit_page(turned, false)
+    }
+
+    /// Keeps what the page shows behind what follows; whether there was anything.
+    pub(super) fn keep_ghost(&mut self) -> bool {
+        self.page.ghost = Ghost::of(&self.page, self.bench.period());
+        self.page.ghost.is_some()
     }
 
     /// How often the beads now are drawn: many large discs less often than small ones, for

@@ -10,6 +10,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use super::caption::ReadingTime;
 use super::keys::{self, Action};
 use super::model::{Bench, Menu, Model, Overlay, Prompt};
+use super::picture;
 use crate::live::{Frame, Leap, Order, Way};
 use crate::scene::Scene;
 use crate::study::verdict::Verdict;
@@ -31,6 +32,15 @@ pub enum Msg {
     SimulationEnded,
 }
 
+/// A file that is to be written.
+#[derive(Debug)]
+pub struct NewFile {
+    /// What follows the last dot of its name.
+    pub ending: &'static str,
+    /// What is in it.
+    pub text: String,
+}
+
 /// What is asked of the world.
 #[derive(Debug)]
 pub enum Command {
@@ -40,14 +50,12 @@ pub enum Command {
     Record(String),
     /// Put a text where the terminal's own pasting finds it.
     Copy(String),
-    /// Write a file of that stem and ending, and say its name.
+    /// Write files whose names begin so, and say the names.
     Keep {
-        /// What its name begins with.
+        /// What their names begin with.
         stem: String,
-        /// What follows the last dot.
-        ending: &'static str,
-        /// What is in it.
-        text: String,
+        /// The files.
+        files: Vec<NewFile>,
     },
     /// Draw the whole screen again.
     Redraw,
@@ -179,9 +187,35 @@ fn record(model: &mut Model, now: Instant) -> Command {
 fn save(model: &Model) -> Command {
     Command::Keep {
         stem: model.preset.name.clone(),
-        ending: "toml",
-        text: model.as_preset().to_toml(),
+        files: vec![NewFile {
+            ending: "toml",
+            text: model.as_preset().to_toml(),
+        }],
     }
+}
+
+/// Asks for files of what the traces show.
+fn picture(model: &Model) -> Command {
+    let file = |ending, text| NewFile { ending, text };
+    Command::Keep {
+        stem: model.preset.name.clone(),
+        files: vec![
+            file("svg", picture::svg(model)),
+            file("csv", picture::data(model).csv()),
+        ],
+    }
+}
+
+/// Keeps the page behind those that follow, or lets it go.
+fn toggle_ghost(model: &mut Model, now: Instant) {
+    let told = if model.page.ghost.take().is_some() {
+        "the ghost is gone"
+    } else if model.keep_ghost() {
+        "this page stays behind what follows, dim and dotted; g lets it go"
+    } else {
+        "nothing is drawn yet that could stay"
+    };
+    model.say(told, false, now);
 }
 
 /// Stands still, and asks for another time.
@@ -225,6 +259,10 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
                 (Some(_), None) => {}
             }
             order.map(Command::Order)
+        }
+        Action::Ghost => {
+            toggle_ghost(model, now);
+            None
         }
         Action::Method => edit::rearrange(model, Bench::next_method, now),
         Action::Twin => edit::rearrange(model, Bench::toggle_twin, now),
@@ -272,6 +310,7 @@ fn act(model: &mut Model, action: Action, now: Instant) -> Option<Command> {
         Action::CommandLine => tell_command_line(model, now),
         Action::Save => Some(save(model)),
         Action::Record => Some(record(model, now)),
+        Action::Picture => Some(picture(model)),
         Action::Redraw => Some(Command::Redraw),
         Action::Suspend => Some(Command::Suspend),
         Action::Quit => Some(Command::Quit),

@@ -65,6 +65,7 @@ const PIECES: &[&str] = &[
     "[",
     "]",
     "r",
+    "g",
     "\x0c",
     "ü",
     "中",
@@ -77,7 +78,7 @@ fn below(dice: &mut Dice, count: u16) -> u16 {
     u16::try_from((dice.0 >> 33) % u64::from(count)).expect("it is below one")
 }
 
-/// Any bytes but those that leave.
+/// Any bytes but those that leave, and those that write files.
 fn noise(dice: &mut Dice) -> Vec<u8> {
     let count = 1 + below(dice, 12);
     let bytes: Vec<u8> = (0..count)
@@ -85,7 +86,7 @@ fn noise(dice: &mut Dice) -> Vec<u8> {
         .collect();
     bytes
         .into_iter()
-        .filter(|byte| !matches!(byte, b'q' | 0x03 | 0x1a))
+        .filter(|byte| !matches!(byte, b'q' | b's' | b'R' | b'P' | 0x03 | 0x1a))
         .collect()
 }
 

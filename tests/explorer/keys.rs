@@ -4,7 +4,7 @@ use crate::play::{ASCII, preset};
 use crate::typist::{
     edited, enter, message, model, press, refuse, restarted, restitutions, type_keys,
 };
-use beadlab::live::{Leap, Order, Way};
+use beadlab::live::{ColumnSample, History, Leap, Order, Sample, Way};
 use beadlab::scene::{Launch, MethodName, Start};
 use beadlab::tui::model::{Model, Overlay};
 use beadlab::tui::update::Command;
@@ -206,4 +206,72 @@ fn a_preset_is_chosen_from_the_list() {
     type_keys(&mut model, "p");
     press(&mut model, KeyCode::Esc);
     assert!(matches!(model.overlay, Overlay::None));
+}
+
+/// Draws something on the page.
+fn draw(model: &mut Model) {
+    let row = ColumnSample {
+        floor: 0.0,
+        reduced: vec![1e-3; 10],
+        kinetic: 1.0,
+        relative: 0.0,
+        error: None,
+    };
+    let rows = vec![Some(row.clone()), Some(row)];
+    let mut history = History::new(8);
+    history.push(Sample { time: 0.01, rows });
+    model.page.take(0.01, history, false);
+}
+
+#[test]
+fn g_keeps_the_page_over_edits_and_restarts_until_another_preset() {
+    let mut model = model("shaken");
+    assert!(type_keys(&mut model, "g").is_none());
+    assert!(model.page.ghost.is_none(), "nothing is drawn yet");
+    draw(&mut model);
+    type_keys(&mut model, "g");
+    let drawn = |model: &Model| {
+        let ghost = model.page.shown_ghost().expect("it is kept");
+        assert_eq!(ghost.samples().count(), 1);
+        model
+            .page
+            .ghost_rows(0)
+            .filter(|row| row.1.is_some())
+            .count()
+    };
+    assert_eq!(drawn(&model), 1);
+    assert!(edited(type_keys(&mut model, "E")) && edited(type_keys(&mut model, "m")));
+    assert!(edited(type_keys(&mut model, "u")) && edited(type_keys(&mut model, "0")));
+    assert_eq!(drawn(&model), 1);
+    assert!(restarted(type_keys(&mut model, "r")));
+    assert!(restarted(enter(&mut model, ":n=20")));
+    assert_eq!(drawn(&model), 1);
+    // A press lets it go, and what follows can be kept again.
+    type_keys(&mut model, "g");
+    assert!(model.page.ghost.is_none());
+    draw(&mut model);
+    type_keys(&mut model, "g");
+    assert!(model.page.ghost.is_some());
+    type_keys(&mut model, "pj");
+    assert!(restarted(press(&mut model, KeyCode::Enter)));
+    assert!(
+        model.page.ghost.is_none(),
+        "of another preset it tells nothing"
+    );
+}
+
+#[test]
+fn what_is_saved_has_the_name_of_its_preset() {
+    let mut model = model("shaken");
+    draw(&mut model);
+    let mut endings = |key| {
+        let Some(Command::Keep { stem, files }) = type_keys(&mut model, key) else {
+            panic!("{key} saves")
+        };
+        assert_eq!(stem, "shaken");
+        assert!(files.iter().all(|file| file.text.ends_with('\n')));
+        files.iter().map(|file| file.ending).collect::<Vec<_>>()
+    };
+    assert_eq!(endings("s"), ["toml"]);
+    assert_eq!(endings("P"), ["svg", "csv"]);
 }

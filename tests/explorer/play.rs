@@ -17,6 +17,7 @@ use beadlab::tui::link::Link;
 use beadlab::tui::model::Model;
 use beadlab::tui::outbox::{Outbox, StatusRequest};
 use beadlab::tui::theme::Theme;
+use beadlab::tui::update::NewFile;
 use crossbeam_channel::{Sender, bounded, never, unbounded};
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
@@ -57,8 +58,9 @@ impl Stage for NoStage {
             live::Recording::new(Box::new(std::io::sink())),
         ))
     }
-    fn keep(&mut self, stem: &str, _: &str, _: &str) -> Result<String, String> {
-        Ok(stem.to_owned())
+    fn keep(&mut self, stem: &str, files: &[NewFile]) -> Result<Vec<String>, String> {
+        let name = |file: &NewFile| format!("{stem}.{}", file.ending);
+        Ok(files.iter().map(name).collect())
     }
 }
 

@@ -1,7 +1,7 @@
 //! A plot as text.
 
 use super::axis::Tick;
-use super::{Bounds, Plot, SeriesStyle};
+use super::{Bounds, Plot, SeriesStyle, bounds};
 use crate::study::table::wrapped;
 
 /// Markers of series, in their order; told apart without colour.
@@ -112,7 +112,7 @@ pub(super) fn draw(plot: &Plot, width: usize, height: usize, ascii: bool) -> Str
     let around = [&title, &y_label, &legend].map(|text| text.lines().count());
     // The frame below, ticks and label of the x axis take three lines more.
     let rows = height.saturating_sub(around.iter().sum::<usize>() + 3);
-    let Some(bounds) = plot.bounds() else {
+    let Some(bounds) = bounds(&[plot]) else {
         return format!("{title}(nothing to plot)\n");
     };
     let y_ticks = plot.y.ticks(bounds.1, rows / 3);
@@ -156,10 +156,15 @@ fn fill(plot: &Plot, field: &mut Field, (x, y): (Bounds, Bounds)) {
             }
         }
     }
+    let looks = plot.named().count();
     for (k, (series, parts)) in plot.series.iter().zip(&parts).enumerate() {
-        match series.style {
-            SeriesStyle::Line => mark_line(field, parts, k, plot.series.len()),
-            _ => parts.iter().for_each(|&part| field.mark(part, marker(k))),
+        let look = plot.look(k);
+        if series.style.is_line() {
+            mark_line(field, parts, look, looks);
+        } else {
+            for &part in parts {
+                field.mark(part, marker(look));
+            }
         }
     }
 }
@@ -242,13 +247,14 @@ fn foot(ticks: &[Tick], bounds: Bounds, margin: usize, columns: usize, ascii: bo
 fn legend(plot: &Plot, width: usize, ascii: bool) -> String {
     let dash = if ascii { "-" } else { "─" };
     let entry = |(k, series): (usize, &super::Series)| {
-        let marker = match series.style {
-            SeriesStyle::Line => format!("{dash}{}", marker(k)),
-            _ => marker(k).to_string(),
+        let marker = if series.style.is_line() {
+            format!("{dash}{}", marker(k))
+        } else {
+            marker(k).to_string()
         };
         format!("{marker} {}", series.name)
     };
-    let entries: Vec<_> = plot.series.iter().enumerate().map(entry).collect();
+    let entries: Vec<_> = plot.named().enumerate().map(entry).collect();
     words(&entries, width)
 }
 

@@ -147,6 +147,11 @@ impl Bench {
             .or_else(|| self.scenes.iter().find_map(|scene| scene.contact_time()))
     }
 
+    /// The period of the plate, s, where it vibrates.
+    pub fn period(&self) -> Option<f64> {
+        self.scenes[0].period()
+    }
+
     /// The parameters that the scenes have, in the order of the table. A run's
     /// duration is not the explorer's.
     pub fn parameters(&self) -> Vec<&'static Parameter> {

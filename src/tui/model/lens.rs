@@ -16,6 +16,8 @@ pub struct Lens {
     least: f64,
     /// Distance of two lines, m.
     step: f64,
+    /// How many lines there are above the floor's.
+    lines: usize,
     /// The scale of the lines.
     pub scale: Scale,
 }
@@ -27,6 +29,7 @@ impl Lens {
             first: None,
             least: size,
             step: APART * size,
+            lines: 1,
             scale: Scale::holding(0.0, size),
         }
     }
@@ -48,11 +51,11 @@ impl Lens {
         let mut page = samples.filter(|sample| sample.time >= start).peekable();
         self.first = page.peek().copied().cloned();
         let mut longest = 0.0f64;
-        let mut lines = 1;
+        self.lines = 1;
         for sample in page {
             for (side, row) in sample.rows.iter().enumerate() {
                 let Some(row) = row else { continue };
-                lines = lines.max(row.reduced.len());
+                self.lines = self.lines.max(row.reduced.len());
                 for way in self.ways(side, row) {
                     longest = longest.max(way.abs());
                 }
@@ -62,7 +65,18 @@ impl Lens {
         while APART * longest > self.step {
             self.step *= 2.0;
         }
-        let top = self.step * (lines as f64 + 1.0);
+        self.fit_scale();
+    }
+
+    /// Has room for what another lens shows too.
+    pub fn hold(&mut self, other: &Lens) {
+        self.step = self.step.max(other.step);
+        self.lines = self.lines.max(other.lines);
+        self.fit_scale();
+    }
+
+    fn fit_scale(&mut self) {
+        let top = self.step * (self.lines as f64 + 1.0);
         self.scale = Scale::holding(-self.step, top);
     }
 
@@ -81,13 +95,24 @@ impl Lens {
 
     /// Where the floor and the beads are drawn, m; none of a page before.
     pub fn heights(&self, side: usize, time: f64, row: &ColumnSample) -> Option<ColumnSample> {
-        let first = self.first.as_ref()?;
+        self.heights_as(self, side, time, row)
+    }
+
+    /// The same of a page that another lens was on, with the lines apart as here.
+    pub fn heights_as(
+        &self,
+        other: &Lens,
+        side: usize,
+        time: f64,
+        row: &ColumnSample,
+    ) -> Option<ColumnSample> {
+        let first = other.first.as_ref()?;
         if time < first.time {
             return None;
         }
         #[expect(clippy::cast_possible_truncation, reason = "drawn, not computed with")]
         let mut lines = (0u32..)
-            .zip(self.ways(side, row))
+            .zip(other.ways(side, row))
             .map(|(k, way)| (f64::from(k) * self.step + way) as f32);
         let floor = lines.next()?;
         Some(ColumnSample {

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::Ghost;
 use super::lens::Lens;
 use super::scale::Scale;
 use crate::live::{ColumnSample, History, Sample, Sampling};
@@ -18,6 +19,8 @@ pub struct Page {
     pub scale: Scale,
     /// What small motion is looked at through.
     pub lens: Option<Lens>,
+    /// An earlier page that is kept behind it.
+    pub ghost: Option<Ghost>,
     /// Where the pen is, s.
     pub now: f64,
     /// No scale is smaller than this, m: the noise of a column at rest is not shown.
@@ -36,8 +39,34 @@ impl Page {
             samples: History::new(sweep.columns + 1),
             scale,
             lens: None,
+            ghost: None,
             now: 0.0,
             least: LEAST * (scale.top() - scale.bottom()),
+        }
+    }
+
+    /// The same page with a ghost behind it, for which its scale has room.
+    #[must_use]
+    pub(super) fn behind(mut self, ghost: Option<Ghost>) -> Page {
+        if let Some((bottom, top)) = ghost.as_ref().and_then(Ghost::extent) {
+            self.scale = self.scale.grown(bottom, top);
+        }
+        self.ghost = ghost;
+        self
+    }
+
+    /// Puts the ghost where the plate, which has that period, s, has the phase of then.
+    pub(super) fn align_ghost(&mut self, period: Option<f64>) {
+        if let Some(mut ghost) = self.ghost.take() {
+            ghost.align(self, period);
+            self.ghost = Some(ghost);
+        }
+    }
+
+    /// The ghost's columns become those that the present ones come from.
+    pub(in crate::tui) fn rearrange_ghost(&mut self, from: &[usize]) {
+        if let Some(ghost) = &mut self.ghost {
+            ghost.rearrange(from);
         }
     }
 
@@ -49,7 +78,15 @@ impl Page {
         }
         let turned = !whole && self.sweep.page(time) > self.sweep.page(self.now);
         self.now = time;
-        if let (true, Some((bottom, top))) = (turned, extent(self.samples.iter())) {
+        let ghost = self.ghost.as_ref();
+        let behind = ghost.and_then(Ghost::extent);
+        let both = |(bottom, top): (f64, f64)| {
+            behind.map_or((bottom, top), |(low, high)| {
+                (bottom.min(low), top.max(high))
+            })
+        };
+        let seen = extent(self.samples.iter()).map(both);
+        if let (true, Some((bottom, top))) = (turned, seen) {
             self.scale = self
                 .scale
                 .for_next_page(bottom, top.max(bottom + self.least));
@@ -60,6 +97,9 @@ impl Page {
         self.samples.append(history);
         if let Some(lens) = &mut self.lens {
             lens.look(self.samples.iter(), &self.sweep, time);
+            if let Some(then) = self.ghost.as_ref().and_then(Ghost::lens) {
+                lens.hold(then);
+            }
         }
         turned
     }
@@ -141,7 +181,7 @@ impl Page {
 }
 
 /// The lowest and the highest thing in the samples, m.
-fn extent<'a>(samples: impl Iterator<Item = &'a Sample>) -> Option<(f64, f64)> {
+pub(super) fn extent<'a>(samples: impl Iterator<Item = &'a Sample>) -> Option<(f64, f64)> {
     let heights = samples
         .flat_map(|sample| sample.rows.iter().flatten())
         .flat_map(|row: &ColumnSample| row.reduced.iter().chain([&row.floor]))

@@ -161,6 +161,7 @@ fn tell(
     model.selected = model.selected.min(count.saturating_sub(1));
     let (order, remark) = match changed {
         Change::GoOn(from) => {
+            model.page.rearrange_ghost(from);
             let scenes = model.bench.scenes().to_vec();
             let from = from.clone();
             (Order::Edit { scenes, from }, remark)

@@ -73,7 +73,7 @@ fn told(model: &Model, layout: &Layout) -> Vec<Text> {
     let [caption, look_for, try_next] = texts(&model.preset);
     let legend = Text {
         label: "signs: ",
-        sentences: legend(layout),
+        sentences: legend(model, layout),
     };
     if layout.text.is_empty() {
         vec![look_for, legend, try_next, caption]
@@ -83,11 +83,14 @@ fn told(model: &Model, layout: &Layout) -> Vec<Text> {
 }
 
 /// What the signs on this screen mean.
-fn legend(layout: &Layout) -> String {
+fn legend(model: &Model, layout: &Layout) -> String {
     let beads = layout.panes.iter().any(|pane| !pane.column.is_empty());
     let mut sentences = Vec::new();
     if !layout.discs.is_empty() {
         sentences.push("Filled discs touch.");
+    }
+    if model.page.shown_ghost().is_some() {
+        sentences.push("Dim dots are the ghost, the page that g kept.");
     }
     if beads {
         sentences.push("A dot • marks two beads that touch.");

@@ -57,6 +57,10 @@ const TERMS: &[(&str, &str)] = &[
         "a page is filled from left to right. What stands right of the pen (now) is the end of the page before, up to the time that is named there.",
     ),
     (
+        "ghost",
+        "the page that g kept, dim and dotted on the axes of the present one: from the begin of a page on, or from the same phase of the plate. It stays over edits and restarts until g or another preset; what was seen through z is seen through z only.",
+    ),
+    (
         "σ",
         "mean free flight of the beads from contact to contact, in contact times t_c: at a landing their mean separation over their speed, over t_c. On a plate the lowest of the last ten periods stands first. Where σ is far below 1 a contact has not ended when the next begins: the energy runs through the column as a wave, in place of one collision after another, and hardly any is lost. So soft contacts (MD) are not to be trusted there. Hard spheres have no contact time.",
     ),

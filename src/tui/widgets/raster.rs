@@ -74,17 +74,22 @@ impl Raster {
 
     /// Draws a line from dot to dot, both ends included.
     pub fn line(&mut self, from: (i32, i32), to: (i32, i32), style: Style) {
-        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-        let steps = dx.abs().max(dy.abs());
-        for k in 0..=steps {
-            let along = |delta: i32| {
-                if steps == 0 {
-                    0
-                } else {
-                    (2 * delta * k + steps * delta.signum()) / (2 * steps)
-                }
-            };
-            self.dot(from.0 + along(dx), from.1 + along(dy), style);
+        for (x, y) in dots_between(from, to) {
+            self.dot(x, y, style);
+        }
+    }
+
+    /// Draws a line so that it is seen to be a fainter one: in every `every`-th column of
+    /// dots, and of the dots there every other.
+    pub fn dotted(&mut self, from: (i32, i32), to: (i32, i32), every: i32, style: Style) {
+        let mut begun: Option<(i32, i32)> = None;
+        for (x, y) in dots_between(from, to).filter(|(x, _)| x % every == 0) {
+            let here = begun.filter(|&(column, _)| column == x);
+            let foot = here.map_or(y, |(_, foot)| foot);
+            begun = Some((x, foot));
+            if (y - foot) % 2 == 0 {
+                self.dot(x, y, style);
+            }
         }
     }
 
@@ -101,6 +106,22 @@ impl Raster {
             }
         }
     }
+}
+
+/// The dots of a line, both ends included.
+fn dots_between(from: (i32, i32), to: (i32, i32)) -> impl Iterator<Item = (i32, i32)> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let steps = dx.abs().max(dy.abs());
+    (0..=steps).map(move |k| {
+        let along = |delta: i32| {
+            if steps == 0 {
+                0
+            } else {
+                (2 * delta * k + steps * delta.signum()) / (2 * steps)
+            }
+        };
+        (from.0 + along(dx), from.1 + along(dy))
+    })
 }
 
 fn braille(mask: u8) -> char {
@@ -182,6 +203,16 @@ mod tests {
         );
         raster.line((-10, -10), (100, 100), Style::new());
         assert!(drawn(&raster, true).is_ascii());
+    }
+
+    #[test]
+    fn a_dotted_line_has_every_other_dot() {
+        let mut raster = Raster::new(AREA);
+        raster.dotted((0, 3), (5, 3), 2, Style::new());
+        assert_eq!(drawn(&raster, false), "⡀⡀⡀\u{20}\u{20}\u{20}");
+        let mut raster = Raster::new(AREA);
+        raster.dotted((1, 0), (1, 7), 1, Style::new());
+        assert_eq!(drawn(&raster, false), "⠨  ⠨  ");
     }
 
     #[test]

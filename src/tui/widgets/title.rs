@@ -9,6 +9,9 @@ use crate::tui::model::Model;
 use crate::tui::numbers::scientific;
 use crate::tui::text::{columns, line};
 
+/// What stands behind the method while a ghost stands behind the lines.
+const GHOST: &str = "+ ghost ";
+
 /// Draws the title into the rule above the trace. Where there is no room for all of it
 /// the drift loses a digit, then the law goes, which the first line of the screen names
 /// too, then the method loses its numbers, then the drift goes, then the method.
@@ -28,11 +31,7 @@ pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
         [scientific(drift), format!("{drift:.0e}")].map(|number| format!(" drift {number} "))
     });
     let in_full = with_numbers(scene);
-    let methods = [
-        with_law(&in_full, scene),
-        in_full,
-        with_law(in_short(scene), scene),
-    ];
+    let methods = [in_words(scene), in_full, with_law(in_short(scene), scene)];
     let mut title = line(theme, buffer, inner, 0);
     title
         .skip(2)
@@ -41,21 +40,29 @@ pub fn render(model: &Model, index: usize, area: Rect, buffer: &mut Buffer) {
     let room = title.room();
     let wide = |method: &str, drift: &str| columns(&theme.text(method)) + 3 + columns(drift);
     let drifts = drifts.unwrap_or_default();
-    let fitting = methods
-        .iter()
-        .flat_map(|method| {
+    let ghost = model.page.shown_ghost().map_or("", |_| GHOST);
+    let fitting = |ghost: &str| {
+        let room = room.saturating_sub(columns(ghost));
+        let each = methods.iter().flat_map(|method| {
             drifts
                 .iter()
                 .map(move |drift| (method.as_str(), drift.as_str()))
-        })
-        .chain([(methods[2].as_str(), "")])
-        .find(|(method, drift)| wide(method, drift) <= room);
-    let Some((method, drift)) = fitting else {
+        });
+        each.chain([(methods[2].as_str(), "")])
+            .find(|(method, drift)| wide(method, drift) <= room)
+    };
+    let both = fitting(ghost).map(|found| (ghost, found));
+    let Some((ghost, (method, drift))) = both.or_else(|| Some(("", fitting("")?))) else {
         return;
     };
     title
-        .put(&format!("  {method} "), theme.quiet())
+        .put(&format!("  {method} {ghost}"), theme.quiet())
         .right(drift, theme.quiet());
+}
+
+/// The method and its law with their numbers, in words.
+pub(in crate::tui) fn in_words(scene: &Scene) -> String {
+    with_law(&with_numbers(scene), scene)
 }
 
 /// `Gear, t_c/100`; `adaptive, 1e-10`.
