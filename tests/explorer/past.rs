@@ -8,7 +8,8 @@ use beadlab::scene::parameters::Value;
 use beadlab::scene::{MethodName, Scene};
 use beadlab::study::vary;
 
-use crate::play::{MEMORY, load, preset, real, sweep, twins, until};
+use crate::play::{Act, COLOURS, MEMORY, load, play, preset, real, sweep, twins, until};
+use crossterm::event::KeyCode::{Char, End, Home};
 
 /// The thread, and how many orders it was given.
 struct Session {
@@ -193,4 +194,62 @@ fn a_period_back_and_on() {
     let fixed = paused(twins("fig1a"), MEMORY);
     let told = leap(&fixed, Leap::Period(Way::On));
     assert!(told.notes[0].contains("no plate"), "{:?}", told.notes);
+}
+
+/// Whether a second landing has been drawn: the time is past 0.06 s.
+fn has_landed(screen: &str) -> bool {
+    let time = screen.split(" t 0.").nth(1).and_then(|rest| rest.get(..3));
+    time.and_then(|digits| digits.parse::<u32>().ok()) > Some(60)
+}
+
+/// All that the tape has on the screen, key by key, through the real loop.
+#[test]
+fn keys_go_back_and_on() {
+    play(
+        "fig5b",
+        COLOURS,
+        (80, 24),
+        real(),
+        vec![
+            Act::Until(has_landed),
+            Act::Key(Char(' ')),
+            Act::See(&["‖ paused"]),
+            Act::Key(Char(',')),
+            Act::See(&["‖ back", "◂ back at 0.", "●", "landing"]),
+            Act::Key(Home),
+            Act::See(&["◂ back at 0.000 s", "drift 0.0e0"]),
+            Act::Key(Char(')')),
+            Act::See(&["◂ back at 0.050 s"]),
+            Act::Key(Char('(')),
+            Act::See(&["◂ back at 0.000 s"]),
+            Act::Key(Char('}')),
+            Act::Until(|screen| !screen.contains("back at 0.000 s")),
+            Act::Key(Char('{')),
+            Act::See(&["◂ back at 0.000 s"]),
+            Act::Key(Char(' ')),
+            Act::See(&["▶ again, 1/20"]),
+            Act::Key(End),
+            Act::See(&["‖ paused"]),
+            // An edit, and back before it: the screen has the value in force then.
+            Act::Key(Char('e')),
+            Act::See(&["ε 0.60 → 0.59"]),
+            Act::Key(Char(',')),
+            Act::See(&["◂ back at", "restitution      0.60"]),
+            Act::Key(Char('E')),
+            Act::See(&["restitution      0.61", "dropped"]),
+            Act::Key(Char('y')),
+            Act::See(&["beadlab fig5b --set restitution=0.61"]),
+            Act::Key(Char('s')),
+            Act::See(&["saved as fig5b"]),
+            Act::Key(Char('R')),
+            Act::See(&["● rec", "recording to fig5b"]),
+            Act::Key(Char('R')),
+            Act::See(&["is written"]),
+            // Into the next landing, and out again.
+            Act::Key(Char('z')),
+            Act::See(&["1/200 000", "µs", "gap×"]),
+            Act::Key(Char('z')),
+            Act::See(&["1/20"]),
+        ],
+    );
 }
