@@ -254,8 +254,7 @@ impl Model {
 
     /// Keeps what the page shows behind what follows; whether there was anything.
     pub(super) fn keep_ghost(&mut self) -> bool {
-        self.page.ghost = Ghost::of(&self.page, self.bench.period());
-        self.page.ghost.is_some()
+        self.page.keep_ghost(self.bench.period())
     }
 
     /// How often the beads now are drawn: many large discs less often than small ones, for

@@ -104,7 +104,7 @@ fn plot(model: &Model, side: usize, units: &Units) -> Plot {
 }
 
 /// Adds lines under one name.
-fn add(series: &mut Vec<Series>, name: &str, style: SeriesStyle, lines: &[Pieces]) {
+fn add(series: &mut Vec<Series>, name: &str, style: SeriesStyle, lines: &[LinePieces]) {
     let mut pieces = lines.iter().flatten();
     let Some(first) = pieces.next() else {
         return;
@@ -118,14 +118,14 @@ fn add(series: &mut Vec<Series>, name: &str, style: SeriesStyle, lines: &[Pieces
 }
 
 /// A line in the pieces between which it is not known.
-type Pieces = Vec<Vec<(f64, f64)>>;
+type LinePieces = Vec<Vec<(f64, f64)>>;
 
 /// The lines of the floor and the beads, from the floor up.
 fn lines<'a>(
     rows: impl Iterator<Item = (f64, Option<Cow<'a, ColumnSample>>)>,
     units: &Units,
-) -> Vec<Pieces> {
-    let mut lines: Vec<Pieces> = Vec::new();
+) -> Vec<LinePieces> {
+    let mut lines: Vec<LinePieces> = Vec::new();
     let mut before = f64::NAN;
     for (time, row) in rows {
         // Where a page starts over, or nothing is known, a line ends.

@@ -22,7 +22,7 @@ const COLOURS: [&str; 8] = [
 ];
 
 /// Where a plot stands in the picture.
-struct Panel<'a> {
+struct PlacedPlot<'a> {
     plot: &'a Plot,
     left: f64,
     width: f64,
@@ -31,7 +31,7 @@ struct Panel<'a> {
     ticks: usize,
 }
 
-impl Panel<'_> {
+impl PlacedPlot<'_> {
     fn across(&self, part: f64) -> f64 {
         self.left + part * self.width
     }
@@ -42,7 +42,7 @@ impl Panel<'_> {
 }
 
 pub(super) fn draw(plot: &Plot) -> String {
-    let panel = Panel {
+    let panel = PlacedPlot {
         plot,
         left: LEFT,
         width: WIDTH - LEFT - RIGHT,
@@ -53,7 +53,7 @@ pub(super) fn draw(plot: &Plot) -> String {
 }
 
 pub(super) fn row(title: &str, plots: &[Plot]) -> String {
-    let panel = |(k, plot)| Panel {
+    let panel = |(k, plot)| PlacedPlot {
         plot,
         left: LEFT + k as f64 * (PANEL + APART),
         width: PANEL,
@@ -64,7 +64,7 @@ pub(super) fn row(title: &str, plots: &[Plot]) -> String {
     picture(title, &panels)
 }
 
-fn picture(title: &str, panels: &[Panel]) -> String {
+fn picture(title: &str, panels: &[PlacedPlot]) -> String {
     let right = panels.last().map_or(WIDTH - RIGHT, |last| last.across(1.0));
     let width = right + RIGHT;
     let mut svg = format!(
@@ -95,7 +95,7 @@ fn picture(title: &str, panels: &[Panel]) -> String {
     svg + "</svg>\n"
 }
 
-fn heading(svg: &mut String, panel: &Panel) {
+fn heading(svg: &mut String, panel: &PlacedPlot) {
     let _ = writeln!(
         svg,
         "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
@@ -106,7 +106,7 @@ fn heading(svg: &mut String, panel: &Panel) {
 }
 
 /// The axes; the numbers of the one upwards where the panel is the `first`.
-fn axes(svg: &mut String, panel: &Panel, (x, y): (Bounds, Bounds), first: bool) {
+fn axes(svg: &mut String, panel: &PlacedPlot, (x, y): (Bounds, Bounds), first: bool) {
     let plot = panel.plot;
     let (left, right) = (panel.across(0.0), panel.across(1.0));
     let (top, bottom) = (panel.up(1.0), panel.up(0.0));
@@ -148,7 +148,7 @@ fn axes(svg: &mut String, panel: &Panel, (x, y): (Bounds, Bounds), first: bool) 
 }
 
 /// All series, those first that stand behind the others.
-fn all_series(svg: &mut String, panel: &Panel, bounds: (Bounds, Bounds)) {
+fn all_series(svg: &mut String, panel: &PlacedPlot, bounds: (Bounds, Bounds)) {
     let each = || panel.plot.series.iter().enumerate();
     let behind = |series: &Series| series.style == SeriesStyle::Behind;
     for (k, _) in each().filter(|(_, series)| behind(series)) {
@@ -159,7 +159,7 @@ fn all_series(svg: &mut String, panel: &Panel, bounds: (Bounds, Bounds)) {
     }
 }
 
-fn series(svg: &mut String, panel: &Panel, k: usize, (x, y): (Bounds, Bounds)) {
+fn series(svg: &mut String, panel: &PlacedPlot, k: usize, (x, y): (Bounds, Bounds)) {
     let plot = panel.plot;
     let series = &plot.series[k];
     let look = plot.look(k);

@@ -2,10 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::Page;
 use super::lens::Lens;
-use super::page::extent;
-use crate::live::{ColumnSample, Sample};
+use super::scale::extent;
+use crate::live::{ColumnSample, Sample, Sampling};
 
 /// A page that is kept.
 #[derive(Debug, Clone)]
@@ -24,20 +23,21 @@ pub struct Ghost {
 }
 
 impl Ghost {
-    /// What is drawn of a page whose plate has that period, s; none of an empty page.
-    pub(in crate::tui) fn of(page: &Page, period: Option<f64>) -> Option<Ghost> {
-        let span = page.sweep.span;
-        let visible = page.visible(0.0);
-        let samples: Vec<(f64, Sample)> = visible
-            .map(|(place, sample)| (place * span, sample.clone()))
-            .collect();
-        (!samples.is_empty()).then(|| Ghost {
+    /// The ghost of a page that began at `start`, s, was seen through that lens and whose plate
+    /// has that period, s; each sample with how long after the page's begin it stands.
+    pub(super) fn new(
+        samples: Vec<(f64, Sample)>,
+        lens: Option<Lens>,
+        start: f64,
+        period: Option<f64>,
+    ) -> Ghost {
+        Ghost {
             samples,
-            lens: page.lens.clone(),
-            start: page.begun().0,
+            lens,
+            start,
             period,
             shift: 0.0,
-        })
+        }
     }
 
     /// Its samples.
@@ -58,16 +58,16 @@ impl Ghost {
         }
     }
 
-    /// Puts it where the plate of a page has the phase that it had then, if it has that period
-    /// still and a page is as long as one.
-    pub(super) fn align(&mut self, page: &Page, period: Option<f64>) {
+    /// Puts it where the plate of a page that began at `start`, s, has the phase that it had
+    /// then, if it has that period still and a page is as long as one.
+    pub(super) fn align(&mut self, sweep: &Sampling, start: f64, period: Option<f64>) {
         // Who changed the frequency changed the phase too.
         self.period = self.period.filter(|_| self.period == period);
-        let held = self.period.filter(|period| *period <= page.sweep.span);
-        let apart = self.start - page.begun().0;
+        let held = self.period.filter(|period| *period <= sweep.span);
+        let apart = self.start - start;
         let shift = held.map_or(0.0, |period| apart - period * (apart / period).round());
         // Rounding must not move it by a dot.
-        let least = 0.5 * page.sweep.interval();
+        let least = 0.5 * sweep.interval();
         self.shift = if self.lens.is_some() || shift.abs() < least {
             0.0
         } else {
@@ -82,29 +82,18 @@ impl Ghost {
             *rows = from.iter().map(row).collect();
         }
     }
-}
 
-impl Page {
-    /// The ghost, if it is seen: that of a page through the lens through the lens.
-    pub fn shown_ghost(&self) -> Option<&Ghost> {
-        let ghost = self.ghost.as_ref()?;
-        (ghost.lens.is_some() == self.lens.is_some()).then_some(ghost)
-    }
-
-    /// What is drawn of a column of the ghost, with its places on the page from 0 to 1, in the
-    /// order in which it was taken; none where there is a gap.
-    pub fn ghost_rows(
-        &self,
+    /// What is drawn of a column on a page of that span, s, through that lens, with its places
+    /// on the page from 0 to 1, in the order in which it was taken; none where there is a gap.
+    pub(super) fn rows<'a>(
+        &'a self,
         side: usize,
-    ) -> impl Iterator<Item = (f64, Option<Cow<'_, ColumnSample>>)> {
-        let ghost = self.shown_ghost();
-        let samples = ghost.into_iter().flat_map(|ghost| {
-            let placed = |(after, sample)| ((after + ghost.shift) / self.sweep.span, sample);
-            let lenses = ghost.lens.as_ref().zip(self.lens.as_ref());
-            let each = ghost.samples.iter().map(|(after, sample)| (*after, sample));
-            each.map(placed).map(move |placed| (lenses, placed))
-        });
-        samples.map(move |(lenses, (place, sample))| {
+        span: f64,
+        lens: Option<&'a Lens>,
+    ) -> impl Iterator<Item = (f64, Option<Cow<'a, ColumnSample>>)> {
+        let lenses = self.lens.as_ref().zip(lens);
+        self.samples.iter().map(move |(after, sample)| {
+            let place = (after + self.shift) / span;
             let row = sample.rows.get(side).and_then(Option::as_ref);
             let drawn = row.and_then(|row| match lenses {
                 None => Some(Cow::Borrowed(row)),
@@ -119,7 +108,8 @@ impl Page {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::live::{History, Sampling};
+    use crate::live::History;
+    use crate::tui::model::Page;
 
     const PERIOD: f64 = 0.04;
 
@@ -158,8 +148,7 @@ mod tests {
     }
 
     fn keep(page: &mut Page) {
-        page.ghost = Ghost::of(page, Some(PERIOD));
-        assert!(page.shown_ghost().is_some());
+        assert!(page.keep_ghost(Some(PERIOD)) && page.shown_ghost().is_some());
     }
 
     fn rows(page: &Page) -> Vec<(f64, ColumnSample)> {

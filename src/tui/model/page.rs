@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::Ghost;
 use super::lens::Lens;
-use super::scale::Scale;
+use super::scale::{Scale, extent};
 use crate::live::{ColumnSample, History, Sample, Sampling};
 use crate::scene::{Launch, Scene, Shake};
 
@@ -55,11 +55,41 @@ impl Page {
         self
     }
 
+    /// Keeps what is drawn as the ghost of pages to come, of a plate with that period, s;
+    /// whether there was anything.
+    pub(in crate::tui) fn keep_ghost(&mut self, period: Option<f64>) -> bool {
+        let span = self.sweep.span;
+        let visible = self.visible(0.0);
+        let samples: Vec<(f64, Sample)> = visible
+            .map(|(place, sample)| (place * span, sample.clone()))
+            .collect();
+        let any = !samples.is_empty();
+        let (start, _) = self.begun();
+        self.ghost = any.then(|| Ghost::new(samples, self.lens.clone(), start, period));
+        any
+    }
+
+    /// The ghost, if it is seen: that of a page through the lens through the lens.
+    pub fn shown_ghost(&self) -> Option<&Ghost> {
+        let ghost = self.ghost.as_ref();
+        ghost.filter(|ghost| ghost.lens().is_some() == self.lens.is_some())
+    }
+
+    /// What is drawn of a column of the ghost, with its places on the page from 0 to 1, in the
+    /// order in which it was taken; none where there is a gap.
+    pub fn ghost_rows(
+        &self,
+        side: usize,
+    ) -> impl Iterator<Item = (f64, Option<Cow<'_, ColumnSample>>)> {
+        let ghost = self.shown_ghost().into_iter();
+        ghost.flat_map(move |ghost| ghost.rows(side, self.sweep.span, self.lens.as_ref()))
+    }
+
     /// Puts the ghost where the plate, which has that period, s, has the phase of then.
     pub(super) fn align_ghost(&mut self, period: Option<f64>) {
-        if let Some(mut ghost) = self.ghost.take() {
-            ghost.align(self, period);
-            self.ghost = Some(ghost);
+        let (start, _) = self.begun();
+        if let Some(ghost) = &mut self.ghost {
+            ghost.align(&self.sweep, start, period);
         }
     }
 
@@ -178,19 +208,6 @@ impl Page {
         let first = self.samples.iter().next()?.time - 0.5 * self.sweep.interval();
         (place > pen + gap && old >= first).then_some(old)
     }
-}
-
-/// The lowest and the highest thing in the samples, m.
-pub(super) fn extent<'a>(samples: impl Iterator<Item = &'a Sample>) -> Option<(f64, f64)> {
-    let heights = samples
-        .flat_map(|sample| sample.rows.iter().flatten())
-        .flat_map(|row: &ColumnSample| row.reduced.iter().chain([&row.floor]))
-        .copied()
-        .filter(|z| z.is_finite());
-    let (low, high) = heights.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), z| {
-        (low.min(z), high.max(z))
-    });
-    (low <= high).then(|| (f64::from(low), f64::from(high)))
 }
 
 /// A scale to begin with. That of a lattice has room for its flight up to the end of the

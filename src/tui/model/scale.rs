@@ -1,5 +1,6 @@
 //! The vertical scale of the traces: round ticks that hold what is seen.
 
+use crate::live::{ColumnSample, Sample};
 use crate::math;
 
 /// Ticks that a scale should have about.
@@ -88,6 +89,19 @@ impl Scale {
         let count = (self.high - self.low).clamp(0.0, 64.0) as u32;
         (0..=count).map(|k| (self.low + f64::from(k)) * self.tick)
     }
+}
+
+/// The lowest and the highest thing in the samples, m.
+pub(super) fn extent<'a>(samples: impl Iterator<Item = &'a Sample>) -> Option<(f64, f64)> {
+    let heights = samples
+        .flat_map(|sample| sample.rows.iter().flatten())
+        .flat_map(|row: &ColumnSample| row.reduced.iter().chain([&row.floor]))
+        .copied()
+        .filter(|z| z.is_finite());
+    let (low, high) = heights.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), z| {
+        (low.min(z), high.max(z))
+    });
+    (low <= high).then(|| (f64::from(low), f64::from(high)))
 }
 
 fn finite(x: f64) -> f64 {

@@ -156,7 +156,6 @@ pub(super) fn announce(theme: Theme, why: &str, area: Rect, buffer: &mut Buffer)
 mod tests {
     use super::*;
     use crate::live::{History, Sample, Sampling};
-    use crate::tui::model::Ghost;
     use ratatui::style::Modifier;
 
     const AREA: Rect = Rect {
@@ -229,7 +228,7 @@ mod tests {
     fn a_ghost_is_dim_and_sparse_where_its_page_was() {
         let mut page = Page::new(SWEEP, &[]);
         draw(&mut page, 0.199, 8e-3);
-        page.ghost = Ghost::of(&page, None);
+        assert!(page.keep_ghost(None));
         draw(&mut page, 0.5, 3e-3);
         let (then, now) = (row_of(&page, 8e-3), row_of(&page, 3e-3));
         assert_ne!(then, now);
