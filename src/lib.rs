@@ -31,7 +31,8 @@
 //!        tui     |     \      the explorer on the terminal
 //!         |      |      \
 //!       live     |     study  many runs, and what they say; tables and plots
-//!          \     |     /      live: the simulation thread and its channels
+//!          \     |     /      live: the simulation thread and its channels; what was
+//!           tape |    /       a session as lines of text, to be played again; pure
 //!            \   |   /
 //!             physics         how beads move; pure
 //!                |
@@ -51,7 +52,8 @@
 //! only moves; one shell around it starts it, shows it and hands its state over. What acts on
 //! gaps beside contacts is a ground, chosen in one place for all columns. [`study::Drive`] moves
 //! an engine in slices of work; [`study::measure`] follows one to its end; [`live`] follows two,
-//! beside each other on one clock, for the explorer.
+//! beside each other on one clock, for the explorer. Engines can be cloned: `live` keeps clones
+//! as moments to go back to, and makes edits again on the way on; [`tape`] writes them down.
 //!
 //! # Words
 //!
@@ -69,6 +71,8 @@
 //! | facts, scene | what a file says; the same, checked |
 //! | mover | what moves beads by one method; its shell starts it, looks at it and hands it over |
 //! | books, ledger | contacts and counts of a run; where its energy went |
+//! | moment, past | a clone of both columns at a time; all that can be gone back to |
+//! | tape | scenes, edits and hashes of states, as lines of text |
 //! | handover | going on from another engine's state, after an edit |
 //! | twin | the same column of hard spheres, beside the soft one |
 //! | shadow | an exact run that a soft column is held against |

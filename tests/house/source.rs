@@ -1,5 +1,4 @@
-//! The program's source as modules, and what each of them names: read from its text, as far as
-//! directions between rooms and files need it.
+//! The program's source as modules, and what each names: read from its text as far as tests need it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -342,8 +341,7 @@ fn literal(rest: &str) -> Option<usize> {
     None
 }
 
-/// The reader reads what it is for: otherwise the tests that stand on it would hold whatever
-/// the source says.
+/// Without this the tests that stand on the reader would hold whatever the source says.
 #[test]
 fn all_ways_to_name_a_module_are_read() {
     let text = r##"

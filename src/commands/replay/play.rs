@@ -59,7 +59,7 @@ pub(super) fn motion(
         )));
     };
     let mut played = Replay::new(tape);
-    let mut rows_of = Rows {
+    let mut rows_of = MotionRows {
         index,
         every,
         count: rows,
@@ -74,14 +74,14 @@ pub(super) fn motion(
 }
 
 /// The rows of a motion.
-struct Rows {
+struct MotionRows {
     index: usize,
     every: f64,
     count: f64,
     end: f64,
 }
 
-impl Rows {
+impl MotionRows {
     fn write(
         &mut self,
         scene: &Scene,
