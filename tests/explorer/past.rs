@@ -249,7 +249,7 @@ fn keys_go_back_and_on() {
             Act::Key(Char('z')),
             Act::See(&["1/200 000", "µs", "gap×"]),
             Act::Key(Char('z')),
-            Act::See(&["1/20"]),
+            Act::Until(|screen| screen.contains("1/20 ")),
         ],
     );
 }

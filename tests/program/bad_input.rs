@@ -173,7 +173,7 @@ fn bad_arguments_are_refused_in_one_line() {
         (&["fig1a", "--speed", "0"], &["--speed", "'0'"]),
         (&["fig1a", "--speed", "1/0"], &["--speed", "1/0"]),
         (&["presets", "show", "no-such-preset"], &["no-such-preset"]),
-        (&["presets", "show"], &["NAME"]),
+        (&["presets", "show"], &["PRESET|FILE.toml"]),
         (&["presets", "check"], &["FILE"]),
         (
             &["presets", "check", "missing.toml"],
