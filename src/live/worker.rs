@@ -184,7 +184,11 @@ impl Worker {
     }
 
     fn set_running(&mut self, running: bool) {
-        self.goes_on = false;
+        // What it is on its way to comes first.
+        self.goes_on = running && self.is_travelling();
+        if self.goes_on {
+            return;
+        }
         if self.paused == running {
             self.paused = !running;
             self.clock.stand_at(self.position.reached, Instant::now());

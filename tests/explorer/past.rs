@@ -183,6 +183,30 @@ fn leaps_come_to_where_it_happens() {
     }
 }
 
+/// Keys that come at once are followed one after another: an edit, and going on, act at the
+/// time that was gone to, not on the way there.
+#[test]
+fn what_follows_at_once_acts_where_it_was_gone_to() {
+    let live = paused(twins("fig5b"), MEMORY);
+    leap(&live, Leap::By(0.06));
+    let mut scenes = twins("fig5b");
+    let edit = set(&mut scenes, "restitution", 0.9);
+    live.given.set(live.given.get() + 1);
+    let order = Order::Leap(Leap::To(0.0321));
+    live.thread.orders.send(order).expect("the thread listens");
+    let forked = ask(&live, edit);
+    assert_eq!(forked.time.to_bits(), 0.0321f64.to_bits());
+    assert_eq!(forked.scenes, scenes);
+    live.given.set(live.given.get() + 1);
+    let order = Order::Leap(Leap::To(0.02));
+    live.thread.orders.send(order).expect("the thread listens");
+    live.given.set(live.given.get() + 1);
+    let order = Order::Run(true);
+    live.thread.orders.send(order).expect("the thread listens");
+    let running = until(&live.thread, |frame| !frame.paused);
+    assert!(running.time >= 0.02, "{} s", running.time);
+}
+
 #[test]
 fn a_period_back_and_on() {
     let scenes = twins("fig5b");

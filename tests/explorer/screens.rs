@@ -68,7 +68,8 @@ fn assert_all(screen: &str, words: &[&str]) {
 fn everything_needed_to_teach_is_on_80_by_24() {
     let is_drawn = |screen: &str| {
         let told = SPEEDS.iter().any(|speed| screen.contains(speed));
-        told && dots(screen) > 100 && TAUGHT.iter().all(|word| screen.contains(word))
+        // Beads that move take more dots or fewer: the last screen may have some less.
+        told && dots(screen) > 150 && TAUGHT.iter().all(|word| screen.contains(word))
     };
     let script = vec![Act::Until(is_drawn)];
     let screen = joined(&play("shaken", COLOURS, (80, 24), real(), script));

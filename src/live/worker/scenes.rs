@@ -63,12 +63,18 @@ impl Worker {
         self.past.keep(&self.position);
     }
 
-    /// Brings the columns to one time: the faster one is ahead by about a slice.
+    /// Brings the columns to one time: to that which they are on their way to, or to the one
+    /// that the faster is ahead by, about a slice.
     pub(super) fn align(&mut self) {
+        let deadline = Instant::now() + ALIGN;
+        if self.is_travelling() {
+            self.bring_to_goal(deadline);
+            self.under_way = None;
+            self.past.reach(self.position.reached, Duration::ZERO);
+        }
         let Some(until) = self.under_way else {
             return;
         };
-        let deadline = Instant::now() + ALIGN;
         while !self.position.advance(until) {
             if Instant::now() >= deadline {
                 return;

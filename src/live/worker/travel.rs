@@ -93,7 +93,8 @@ impl Worker {
         }
     }
 
-    fn bring_to_goal(&mut self, deadline: Instant) {
+    /// Goes all the way to where it is on its way to, if there is time.
+    pub(super) fn bring_to_goal(&mut self, deadline: Instant) {
         let goal = self.clock.goal();
         let mut position = std::mem::take(&mut self.position);
         self.bring(&mut position, goal, deadline);
