@@ -134,10 +134,21 @@ mod processors {
         ];
         for scene in scenes {
             let words: Vec<_> = scene.split(' ').collect();
-            let arguments = [&["run"], &words[..], &SERIES].concat();
-            let [plain, old] = on_two_processors(env!("CARGO_BIN_EXE_beadlab"), &arguments);
-            assert!(plain.len() > 300, "{scene}");
-            assert!(plain == old, "{scene}: other bytes on another processor");
+            same(&[&["run"], &words[..], &SERIES].concat());
         }
+        // A session with edits, recorded on one machine; its states are compared too.
+        let tape = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/program/session.tape");
+        same(&[&["replay", tape], &SERIES[..]].concat());
+        same(&["replay", tape]);
+    }
+
+    /// The program prints the same bytes on both processors.
+    fn same(arguments: &[&str]) {
+        let [plain, old] = on_two_processors(env!("CARGO_BIN_EXE_beadlab"), arguments);
+        assert!(plain.len() > 200, "{arguments:?}");
+        assert!(
+            plain == old,
+            "{arguments:?}: other bytes on another processor"
+        );
     }
 }
