@@ -4,6 +4,7 @@
 mod program;
 
 mod source;
+mod top_level;
 
 mod circles;
 mod names;
