@@ -225,10 +225,7 @@ impl<G: Ground> Mover for Adaptive<G> {
         for (i, &closed) in self.motion.closed.iter().enumerate() {
             self.books.contacts.note(i, closed, time);
         }
-        if self.motion.closed[0] != was_closed {
-            let arrival = self.arrival_now();
-            self.books.bounce.turn(!was_closed, arrival);
-        }
+        self.note_bounce(was_closed);
         if !G::PULLS && !self.books.over && self.books.contacts.all_open() {
             self.books.over = self.nothing_to_come();
         }

@@ -54,6 +54,16 @@ pub(super) trait Mover: Clone + Send + 'static {
     /// What they are.
     fn matter(&self) -> &Self::Matter;
 
+    /// Tells the books that the floor's contact has begun or ended, where it has since it
+    /// `was_closed`.
+    fn note_bounce(&mut self, was_closed: bool) {
+        let is_closed = self.books().contacts.closed()[0];
+        if is_closed != was_closed {
+            let arrival = self.arrival_now();
+            self.books_mut().bounce.turn(is_closed, arrival);
+        }
+    }
+
     /// Fills in what only this mover knows, or better than the books.
     fn fill_in(&self, _into: &mut Observation) {}
 

@@ -148,11 +148,9 @@ impl Mover for Lattice {
         if loud {
             self.busy = time;
         }
-        if self.books.contacts.closed()[0] != on_floor {
-            self.books.contacts.note(0, on_floor, time);
-            let arrival = self.arrival_now();
-            self.books.bounce.turn(on_floor, arrival);
-        }
+        let was_closed = self.books.contacts.closed()[0];
+        self.books.contacts.note(0, on_floor, time);
+        self.note_bounce(was_closed);
     }
 
     fn books(&self) -> &Books {

@@ -109,11 +109,7 @@ impl Mover for Md {
             self.books.contacts.note(i, g <= 0.0, time);
         }
         self.books.measure(self.row.iter().copied());
-        let floor_is_closed = self.books.contacts.closed()[0];
-        if floor_is_closed != floor_was_closed {
-            let arrival = self.arrival_now();
-            self.books.bounce.turn(floor_is_closed, arrival);
-        }
+        self.note_bounce(floor_was_closed);
         if !self.walker.pulls() && !self.books.over && self.books.contacts.all_open() {
             self.books.over = self.nothing_to_come();
         }
