@@ -52,6 +52,24 @@ pub(crate) fn is_hidden(c: char) -> bool {
     BLANK.iter().any(|blank| blank.contains(&c)) || spelled_out()
 }
 
+/// A text in lines of at most `width` columns, broken between words.
+pub(crate) fn wrapped(text: &str, width: u16) -> Vec<String> {
+    let width = usize::from(width);
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let last = lines.last_mut().map(|line| (line.chars().count(), line));
+        match last {
+            Some((0, line)) => line.push_str(word),
+            Some((taken, line)) if taken + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// `text` on one line, shortened when it is long.
 pub(crate) fn quote(text: &str) -> String {
     let line = one_line(text);

@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
+pub(crate) use crate::scene::words::wrapped;
 use crate::tui::theme::Theme;
 
 /// A line that is written from left to right into a row of an area.
@@ -91,23 +92,6 @@ pub fn fitted(text: &str, room: u16) -> String {
         .take(usize::from(room.saturating_sub(3)))
         .collect();
     format!("{}...", kept.trim_end())
-}
-
-/// A text in lines of at most `width` columns, broken between words.
-pub fn wrapped(text: &str, width: u16) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let last = lines.last_mut().map(|line| (columns(line), line));
-        match last {
-            Some((0, line)) => line.push_str(word),
-            Some((taken, line)) if taken + 1 + columns(word) <= width => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }
 
 #[cfg(test)]

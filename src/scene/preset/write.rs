@@ -2,11 +2,12 @@
 
 use super::Preset;
 use crate::scene::parameters::{Setting, Value, table};
+use crate::scene::words::wrapped;
 use crate::scene::{Arrangement, Floor, MethodName, Scene, Start};
 use std::fmt::Write;
 
 /// Columns of the lines of a text.
-const WIDTH: usize = 70;
+const WIDTH: u16 = 70;
 
 /// All settings of a scene that make it, in the order of the table. α is left to the
 /// amplitude, which is what the scene has.
@@ -86,7 +87,7 @@ impl Preset {
         ];
         for (key, paragraph) in paragraphs {
             if !paragraph.is_empty() {
-                let _ = writeln!(text, "{key} = \"\"\"\n{}\"\"\"", wrapped(paragraph));
+                let _ = writeln!(text, "{key} = \"\"\"\n{}\"\"\"", lines(paragraph));
             }
         }
         if let Some(name) = &self.beside {
@@ -100,23 +101,9 @@ impl Preset {
 }
 
 /// A paragraph in lines, as TOML has it within three quotes.
-fn wrapped(paragraph: &str) -> String {
-    let mut lines = String::new();
-    let mut taken = 0;
-    for word in paragraph.split_whitespace() {
-        let word = word.replace('\\', "\\\\").replace('"', "\\\"");
-        let width = word.chars().count();
-        if taken > 0 && taken + 1 + width > WIDTH {
-            lines.push('\n');
-            taken = 0;
-        } else if taken > 0 {
-            lines.push(' ');
-            taken += 1;
-        }
-        lines.push_str(&word);
-        taken += width;
-    }
-    lines
+fn lines(paragraph: &str) -> String {
+    let escaped = paragraph.replace('\\', "\\\\").replace('"', "\\\"");
+    wrapped(&escaped, WIDTH).join("\n")
 }
 
 #[cfg(test)]
