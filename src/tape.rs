@@ -16,7 +16,6 @@ pub use recorder::Recorder;
 use crate::physics::State;
 use crate::scene::Scene;
 use line::{Sums, TapeLine, VERSION};
-use std::io;
 
 /// An edit of a session.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,9 +127,15 @@ impl Tape {
     }
 }
 
+/// The hashes of columns in these states; "" of one whose engine has failed.
+pub fn hashes(states: impl Iterator<Item = Option<State>>) -> Vec<String> {
+    let hash = |state: Option<State>| state.map_or_else(String::new, |state| digest(&state));
+    states.map(hash).collect()
+}
+
 /// A hash of a column's whole motion: its time, its gaps and their rates, to the last bit
 /// (FNV-1a, 64 bits).
-pub fn digest(state: &State) -> String {
+fn digest(state: &State) -> String {
     let numbers = [state.time].into_iter();
     let numbers = numbers.chain(state.gaps.iter().copied());
     let bytes = numbers
@@ -138,8 +143,3 @@ pub fn digest(state: &State) -> String {
         .flat_map(|x| x.to_bits().to_le_bytes());
     format!("{:016x}", line::fnv(line::SEED, bytes))
 }
-
-/// Where a recording is written.
-pub trait Sink: io::Write + Send {}
-
-impl<T: io::Write + Send> Sink for T {}

@@ -82,7 +82,7 @@ impl Position {
 /// All that can be gone back to, within its memory.
 pub(super) struct Past {
     /// By time, no two at the same.
-    moments: Vec<(Position, usize)>,
+    moments: Vec<Position>,
     /// What the columns were of at the start.
     scenes: Vec<Scene>,
     edits: Vec<Edit>,
@@ -140,9 +140,7 @@ impl Past {
 
     /// Whether a moment at `time`, s, would be later than all there are.
     pub fn is_new(&self, time: f64) -> bool {
-        self.moments
-            .last()
-            .is_none_or(|(last, _)| last.reached < time)
+        self.moments.last().is_none_or(|last| last.reached < time)
     }
 
     /// Up to when it is known, s.
@@ -172,11 +170,11 @@ impl Past {
     /// Remembers the columns as they are.
     pub fn keep(&mut self, position: &Position) {
         if let Some(last) = self.moments.last() {
-            if last.0.reached > position.reached {
+            if last.reached > position.reached {
                 return;
             }
-            if last.0.reached == position.reached {
-                self.held -= last.1;
+            if last.reached == position.reached {
+                self.held -= last.bytes();
                 self.moments.pop();
             }
         }
@@ -186,7 +184,7 @@ impl Past {
             return;
         }
         self.held += bytes;
-        self.moments.push((position.clone(), bytes));
+        self.moments.push(position.clone());
         self.end = self.end.max(position.reached);
         while self.held > self.for_moments() && self.thin() {}
     }
@@ -198,13 +196,13 @@ impl Past {
     /// Gives up the moment that is missed least: where its neighbours are close, measured by
     /// their age. The first and the last stay.
     fn thin(&mut self) -> bool {
-        let time = |k: usize| self.moments[k].0.reached;
+        let time = |k: usize| self.moments[k].reached;
         let missed = |k: usize| (time(k + 1) - time(k - 1)) / (self.end - time(k - 1));
         let inner = 1..self.moments.len().saturating_sub(1);
         let Some(least) = inner.min_by(|&a, &b| missed(a).total_cmp(&missed(b))) else {
             return false;
         };
-        self.held -= self.moments.remove(least).1;
+        self.held -= self.moments.remove(least).bytes();
         true
     }
 
@@ -226,11 +224,8 @@ impl Past {
         }
         self.edits.truncate(position.edits);
         let kept = self.after(position.reached);
-        self.held -= self
-            .moments
-            .drain(kept..)
-            .map(|(_, bytes)| bytes)
-            .sum::<usize>();
+        let dropped = self.moments.drain(kept..);
+        self.held -= dropped.map(|moment| moment.bytes()).sum::<usize>();
         self.samples
             .retain(|sample| sample.time <= position.reached);
         self.end = position.reached;
@@ -241,13 +236,13 @@ impl Past {
     /// The number of moments up to `time`, s.
     fn after(&self, time: f64) -> usize {
         self.moments
-            .partition_point(|(moment, _)| moment.reached <= time)
+            .partition_point(|moment| moment.reached <= time)
     }
 
     /// The last moment not after `time`, s.
     pub fn at(&self, time: f64) -> Option<&Position> {
         let after = self.after(time);
-        self.moments[..after].last().map(|(moment, _)| moment)
+        self.moments[..after].last()
     }
 
     /// The last moment at which something has happened less often than `count` times, and the
@@ -255,9 +250,9 @@ impl Past {
     pub fn before(&self, what: Count, count: u64) -> Option<(&Position, Option<f64>)> {
         let after = self
             .moments
-            .partition_point(|(moment, _)| moment.count(what) < count);
-        let (moment, _) = self.moments[..after].last()?;
-        let next = self.moments.get(after).map(|(moment, _)| moment.reached);
+            .partition_point(|moment| moment.count(what) < count);
+        let moment = self.moments[..after].last()?;
+        let next = self.moments.get(after).map(|moment| moment.reached);
         Some((moment, next))
     }
 

@@ -1,25 +1,25 @@
 //! What is written of a session, and what is compared with one that was.
 
 use std::fmt;
-use std::io;
+use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::past::Position;
 use super::runner::Runner;
 use crate::scene::Scene;
-use crate::tape::{Edit, Recorder, Sink, StateMark, Tape};
+use crate::tape::{self, Edit, Recorder, StateMark, Tape};
 
 /// Where a tape is to be written, to be taken once.
 #[derive(Clone)]
-pub struct Recording(Arc<Mutex<Option<Box<dyn Sink>>>>);
+pub struct Recording(Arc<Mutex<Option<Box<dyn Write + Send>>>>);
 
 impl Recording {
     /// A tape that is written there.
-    pub fn new(sink: Box<dyn Sink>) -> Recording {
+    pub fn new(sink: Box<dyn Write + Send>) -> Recording {
         Recording(Arc::new(Mutex::new(Some(sink))))
     }
 
-    fn take(&self) -> Option<Box<dyn Sink>> {
+    fn take(&self) -> Option<Box<dyn Write + Send>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 }
@@ -32,11 +32,7 @@ impl fmt::Debug for Recording {
 
 /// The states of all columns, as hashes.
 fn hashes(position: &mut Position) -> Vec<String> {
-    let hash = |column: &mut Runner| {
-        let state = column.state();
-        state.map_or_else(String::new, |state| crate::tape::digest(&state))
-    };
-    position.runners.iter_mut().map(hash).collect()
+    tape::hashes(position.runners.iter_mut().map(Runner::state))
 }
 
 /// A tape that is being written.

@@ -171,10 +171,7 @@ impl Worker {
             Order::Run(running) => self.set_running(running),
             Order::Speed(speed) => self.set_speed(speed),
             Order::Sampling(sweep) => self.set_sweep(sweep),
-            Order::Leap(leap) => {
-                self.goes_on = false;
-                self.leap(leap);
-            }
+            Order::Leap(leap) => self.leap(leap),
             Order::LookInto { speed, lead } => {
                 self.set_speed(speed);
                 self.leap_before_landing(lead);
@@ -245,6 +242,11 @@ impl Worker {
         }
         self.fit_stride(taken);
         self.past.reach(self.position.reached, started.elapsed());
+        self.has_arrived()
+    }
+
+    /// Whether the columns have come where the clock wants them, as far as they move.
+    fn has_arrived(&self) -> bool {
         self.position.reached >= self.clock.goal() || !self.position.is_alive()
     }
 
@@ -321,7 +323,7 @@ impl Worker {
             return;
         }
         // On the way back there is nothing to see, unless it is long.
-        let found = self.position.reached >= self.clock.goal() || !self.position.is_alive();
+        let found = self.has_arrived();
         if !found
             && self
                 .sought
@@ -359,9 +361,7 @@ impl Worker {
         // Large columns take long to look at: they shall move for most of the time.
         self.next_frame = started + (4 * started.elapsed()).clamp(FRAME, RAREST);
     }
-}
 
-impl Worker {
     /// Keeps this moment, where it is a new one and there is time to.
     fn remember(&mut self) {
         let started = Instant::now();

@@ -1,6 +1,6 @@
 //! Columns on one clock, edits and all, without a thread or a screen.
 
-use super::{Edit, Tape, digest};
+use super::{Edit, Tape, hashes};
 use crate::physics::{self, Engine, EngineError, Observation, Outcome, State};
 use crate::scene::Scene;
 
@@ -180,11 +180,7 @@ impl Player {
     /// Makes an edit, whose time the columns have come to; whether there was a column to go
     /// on from.
     pub fn edit(&mut self, edit: &Edit) -> bool {
-        let states = self.columns.iter().map(|column| {
-            let engine = column.engine.as_ref().ok();
-            engine.map(|engine| engine.state())
-        });
-        let states: Vec<Option<State>> = states.collect();
+        let states = self.states().collect();
         let present: Vec<Scene> = self.columns.iter().map(|each| each.scene.clone()).collect();
         let Some(states) = sources(&present, states, self.reached, &edit.scenes, &edit.from) else {
             return false;
@@ -197,12 +193,16 @@ impl Player {
         true
     }
 
+    /// The columns' states; none of a column whose engine has failed.
+    fn states(&self) -> impl Iterator<Item = Option<State>> {
+        self.columns.iter().map(|column| {
+            let engine = column.engine.as_ref().ok();
+            engine.map(|engine| engine.state())
+        })
+    }
+
     /// The hashes of the columns' states.
     pub fn hashes(&self) -> Vec<String> {
-        let hash = |column: &Playing| {
-            let engine = column.engine.as_ref().ok();
-            engine.map_or_else(String::new, |engine| digest(&engine.state()))
-        };
-        self.columns.iter().map(hash).collect()
+        hashes(self.states())
     }
 }

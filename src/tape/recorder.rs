@@ -1,14 +1,14 @@
 //! What writes a tape as the session goes.
 
+use super::Edit;
 use super::line::{Sums, TapeLine, VERSION};
-use super::{Edit, Sink};
 use crate::scene::Scene;
-use std::io;
+use std::io::{self, Write};
 
 /// Writes a tape, a line at a time, each handed to the system at once: what was written stays
 /// whatever becomes of the program.
 pub struct Recorder {
-    sink: Box<dyn Sink>,
+    sink: Box<dyn Write + Send>,
     sums: Sums,
 }
 
@@ -17,7 +17,7 @@ impl Recorder {
     ///
     /// # Errors
     /// When it cannot be written.
-    pub fn begin(sink: Box<dyn Sink>) -> io::Result<Recorder> {
+    pub fn begin(sink: Box<dyn Write + Send>) -> io::Result<Recorder> {
         let mut recorder = Recorder {
             sink,
             sums: Sums::default(),

@@ -57,11 +57,9 @@ impl Worker {
 
     /// Plays a tape from its start.
     pub(super) fn play(&mut self, tape: &Tape) {
-        let running = !self.paused;
         self.restart(tape.scenes.clone());
         self.past.foretell(tape);
         self.played = Some(Played::new(tape));
-        self.set_running(running);
     }
 
     /// The next time at which states are written or compared, s.
