@@ -14,6 +14,9 @@ use help::{
 use std::path::PathBuf;
 use values::{between, budget, positive, speed, tolerance};
 
+/// Memory for what was, to go back to, unless it is told, MiB.
+pub const MEMORY: u32 = 64;
+
 /// A terminal laboratory for the detachment effect: soft-contact against
 /// hard-sphere simulations of a column of beads.
 ///
@@ -97,7 +100,7 @@ pub struct ExploreArgs {
     #[arg(
         long,
         value_name = "MIB",
-        default_value_t = 64,
+        default_value_t = MEMORY,
         value_parser = clap::value_parser!(u32).range(1..=1_048_576),
         allow_hyphen_values = true
     )]

@@ -92,11 +92,12 @@ fn dispatch(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure
         Some(Subcommand::Presets { action }) => presets::presets(action),
         None => {
             let args = cli.explore;
-            let preset = load(&args.preset, args.method, &args.settings)?;
+            let original = Preset::load(&args.preset).map_err(bad_input)?;
             let origin = Origin {
-                scene: load(&args.preset, None, &[])?.scene,
+                scene: original.scene.clone(),
                 name: args.preset,
             };
+            let preset = changed(&original, args.method, &args.settings)?;
             let options = ExploreOptions {
                 ascii: args.ascii,
                 speed: args.speed,
@@ -115,6 +116,15 @@ const MIB: usize = 1 << 20;
 /// The preset or file of that name, with the method and settings of the command line.
 fn load(name: &str, method: Option<MethodName>, settings: &[String]) -> Result<Preset, Failure> {
     let preset = Preset::load(name).map_err(bad_input)?;
+    changed(&preset, method, settings)
+}
+
+/// A preset with the method and settings of the command line.
+fn changed(
+    preset: &Preset,
+    method: Option<MethodName>,
+    settings: &[String],
+) -> Result<Preset, Failure> {
     let layer = layer(settings)?;
     preset.with(method, &layer).map_err(|error| {
         let meant = |name: &str| {

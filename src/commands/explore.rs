@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Failure;
+use super::output::reason;
 use crate::live::Recording;
 use crate::physics;
 use crate::scene::Preset;
@@ -92,8 +93,7 @@ fn create(path: &Path) -> Result<(String, Recording), Failure> {
         Err(error) => {
             let why = match error.kind() {
                 ErrorKind::AlreadyExists => "is there already, and no tape is written over".into(),
-                ErrorKind::NotFound => "there is no such folder".to_owned(),
-                _ => one_line(&error.to_string()),
+                _ => reason(&error),
             };
             Err(Failure::BadInput(format!("--record {name}: {why}")))
         }

@@ -32,12 +32,16 @@ pub(in crate::commands) fn remove_unfinished() -> usize {
 /// Why the file of an `--out` cannot be written, in one line.
 pub(in crate::commands) fn unwritable(path: &Path, error: &io::Error) -> String {
     let path = one_line(&path.to_string_lossy());
-    let reason = match error.kind() {
+    format!("--out {path}: cannot be written: {}", reason(error))
+}
+
+/// Why a file cannot be written.
+pub(in crate::commands) fn reason(error: &io::Error) -> String {
+    match error.kind() {
         ErrorKind::NotFound => "there is no such folder".to_owned(),
         ErrorKind::IsADirectory => "a file is wanted, and this names a folder".to_owned(),
         _ => one_line(&error.to_string()),
-    };
-    format!("--out {path}: cannot be written: {reason}")
+    }
 }
 
 /// Where results go.

@@ -5,20 +5,17 @@ mod report;
 
 use super::explore::{self, ExploreOptions};
 use super::output::Output;
-use super::progress::Waiting;
 use super::{Failure, MIB, note};
-use crate::cli::ReplayArgs;
+use crate::cli::{MEMORY, ReplayArgs};
 use crate::scene::Preset;
 use crate::scene::words::one_line;
 use crate::study::export::Format;
 use crate::tape::Tape;
 use crate::tui::model::Origin;
+use play::Playback;
 use std::fs;
 use std::io::{IsTerminal, Write, stdin, stdout};
 use std::path::Path;
-
-/// Memory for going back in a tape that is explored, MiB.
-const MEMORY: usize = 64;
 
 /// Whether the arguments, here, mean the explorer.
 pub(super) fn is_explored(args: &ReplayArgs) -> bool {
@@ -42,42 +39,34 @@ pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
         ));
     }
     let format = args.format.unwrap_or(crate::study::export::FORMATS[0]);
-    let output = match (args.every, format.motion) {
-        (Some(_), None) => {
-            let name = format.name;
-            let line = format!("--format {name}: has no motion; --every needs csv or xyz");
-            return Err(Failure::BadInput(line));
-        }
-        (None, Some(_)) if format.results.is_none() || format.name == "csv" => {
-            let name = format.name;
-            let line = format!("--format {name}: needs --every, since it is of the motion");
-            return Err(Failure::BadInput(line));
-        }
-        _ => Output::open(args.out.as_deref())?,
-    };
-    let mut waiting = Waiting::new();
     let end = args.until.map_or(tape.end(), |until| until.min(tape.end()));
-    match args.every {
-        Some(every) => play::motion(
-            &tape,
-            end,
-            (every, args.column),
-            format,
-            output,
-            &mut waiting,
-        ),
-        None => report(&tape, end, format, output, &mut waiting),
+    let playback = Playback::new(&tape, end);
+    let name = format.name;
+    match (args.every, format.motion) {
+        (Some(_), None) => Err(Failure::BadInput(format!(
+            "--format {name}: has no motion; --every needs csv or xyz"
+        ))),
+        (None, Some(_)) => Err(Failure::BadInput(format!(
+            "--format {name}: needs --every, since it is of the motion"
+        ))),
+        (Some(every), Some(begin)) => {
+            let output = Output::open(args.out.as_deref())?;
+            playback.motion(every, args.column, begin, output)
+        }
+        (None, None) => {
+            let output = Output::open(args.out.as_deref())?;
+            report(&tape, playback, format, output)
+        }
     }
 }
 
 fn report(
     tape: &Tape,
-    end: f64,
+    playback: Playback,
     format: Format,
     mut output: Output,
-    waiting: &mut Waiting,
 ) -> Result<(), Failure> {
-    let played = play::to_the_end(tape, end, waiting);
+    let played = playback.finish();
     let text = match format.name {
         "json" => report::json(tape, &played),
         _ => report::text(tape, &played),
@@ -110,7 +99,7 @@ fn explored(path: &Path, tape: Tape) -> Result<(), Failure> {
     let options = ExploreOptions {
         ascii: false,
         speed: None,
-        memory: MEMORY * MIB,
+        memory: MEMORY as usize * MIB,
         tape: Some(tape),
         record: None,
     };

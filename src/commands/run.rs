@@ -1,7 +1,7 @@
 //! `beadlab run`: a scene without pictures.
 
 mod runs;
-mod series;
+pub(in crate::commands) mod series;
 
 use super::output::Output;
 use super::progress::Waiting;
@@ -10,7 +10,7 @@ use crate::cli::RunArgs;
 use crate::physics::spectrum;
 use crate::scene::{Preset, Scene};
 use crate::study::export::FORMATS;
-use crate::study::{self, Drive, FindingStage, Findings};
+use crate::study::{self, Drive, FindingStage, Findings, natural_time};
 use runs::Runs;
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
@@ -70,7 +70,8 @@ fn measured(preset: &Preset, sensitivity: bool) -> Result<Findings, Failure> {
 fn motion(args: &RunArgs, every: f64) -> Result<(), Failure> {
     let begin = args.format.motion.ok_or_else(no_motion)?;
     let preset = load(&args.preset, args.method, &args.settings)?;
-    series::check(&preset.scene, every)?;
+    let scene = &preset.scene;
+    series::check(scene.duration.unwrap_or_else(|| natural_time(scene)), every)?;
     let output = Output::open(args.out.as_deref())?;
     // Rows on the same terminal show by themselves how far it is.
     let waiting = if args.out.is_none() && io::stdout().is_terminal() {

@@ -6,7 +6,7 @@ use crate::physics::Observation;
 use crate::scene::Scene;
 use crate::scene::parameters::Value;
 use crate::study::export::{Begin, MotionWriter, is_finite};
-use crate::study::{Drive, RunError, natural_time};
+use crate::study::{Drive, RunError};
 use std::io;
 use std::time::{Duration, Instant};
 
@@ -16,9 +16,8 @@ const MOST_ROWS: f64 = 1e8;
 /// Rows are passed on at least that often, for a reader who watches.
 const PATIENCE: Duration = Duration::from_millis(200);
 
-/// Refuses an interval that makes absurdly many rows.
-pub(super) fn check(scene: &Scene, every: f64) -> Result<(), Failure> {
-    let time = scene.duration.unwrap_or_else(|| natural_time(scene));
+/// Refuses an interval that makes absurdly many rows in `time`, s.
+pub(in crate::commands) fn check(time: f64, every: f64) -> Result<(), Failure> {
     if time / every <= MOST_ROWS {
         return Ok(());
     }
@@ -28,6 +27,12 @@ pub(super) fn check(scene: &Scene, every: f64) -> Result<(), Failure> {
         time / every,
         Value::Number(time)
     )))
+}
+
+/// The number of the last row up to `end`, s, the first being 0: one that rounding would lose
+/// is wanted.
+pub(in crate::commands) fn last_row(end: f64, every: f64) -> f64 {
+    (end / every * (1.0 + 1e-12)).floor()
 }
 
 /// Why rows come to an end before the run does.
@@ -74,8 +79,7 @@ fn moments(
     mut motion: Box<dyn MotionWriter + '_>,
 ) -> Result<(), Stop> {
     let end = scene.duration.unwrap_or(f64::INFINITY);
-    // A last row that rounding would lose is wanted.
-    let most = (end / every * (1.0 + 1e-12)).floor();
+    let most = last_row(end, every);
     let mut now = Observation::default();
     let mut flushed = Instant::now();
     let mut row = 0.0;
