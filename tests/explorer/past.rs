@@ -1,41 +1,21 @@
 //! Back in what was, and on again: the same as the first time, to the last bit.
 
-use std::cell::Cell;
-
-use beadlab::live::{self, Frame, Leap, Live, Order, Way};
+use beadlab::live::{Frame, Leap, Order, Way};
 use beadlab::physics::{self, Observation};
 use beadlab::scene::parameters::Value;
 use beadlab::scene::{MethodName, Scene};
 use beadlab::study::vary;
 
-use crate::play::{Act, COLOURS, MEMORY, load, play, preset, real, sweep, twins, until};
+use crate::play::{Act, COLOURS, MEMORY, Session, play, preset, real, sweep, twins, until};
 use crossterm::event::KeyCode::{Char, End, Home};
-
-/// The thread, and how many orders it was given.
-struct Session {
-    thread: Live,
-    given: Cell<u64>,
-}
 
 /// A session that stands still at t = 0.
 fn paused(scenes: Vec<Scene>, memory: usize) -> Session {
-    let thread = live::spawn(real(), memory).expect("threads are to be had");
-    load(&thread, scenes, sweep(0.2, false), 0.1, false);
-    until(&thread, |frame| frame.orders == 1);
-    let given = Cell::new(1);
-    Session { thread, given }
-}
-
-/// Gives an order, and waits for the frame that it comes to.
-fn ask(live: &Session, order: Order) -> Frame {
-    live.given.set(live.given.get() + 1);
-    live.thread.orders.send(order).expect("the thread listens");
-    let answers = |frame: &Frame| frame.orders == live.given.get() && frame.towards.is_none();
-    until(&live.thread, answers)
+    Session::paused(scenes, sweep(0.2, false), memory)
 }
 
 fn leap(live: &Session, leap: Leap) -> Frame {
-    ask(live, Order::Leap(leap))
+    live.ask(Order::Leap(leap))
 }
 
 /// What there is to see of all columns.
@@ -72,7 +52,7 @@ fn session(live: &Session, mut scenes: Vec<Scene>) -> Vec<(f64, Vec<Scene>, Vec<
             _ => None,
         };
         if let Some(order) = order {
-            frame = ask(live, order);
+            frame = live.ask(order);
         }
         way.push((frame.time, frame.scenes.clone(), seen(&frame)));
     }
@@ -117,13 +97,13 @@ fn going_on_with_an_edit_drops_what_was_later() {
     let live = paused(twins("fig5b"), MEMORY);
     let mut scenes = twins("fig5b");
     leap(&live, Leap::By(0.03));
-    ask(&live, set(&mut scenes, "restitution", 0.9));
+    live.ask(set(&mut scenes, "restitution", 0.9));
     leap(&live, Leap::By(0.03));
     let back = leap(&live, Leap::By(-0.045));
     assert!(back.end > 0.0599 && back.time < 0.0151);
     let mut scenes = twins("fig5b");
     assert_eq!(back.scenes, scenes, "the edit was not made yet");
-    let forked = ask(&live, set(&mut scenes, "restitution", 0.3));
+    let forked = live.ask(set(&mut scenes, "restitution", 0.3));
     assert_eq!(forked.end.to_bits(), forked.time.to_bits());
     assert!(forked.notes.iter().any(|note| note.contains("dropped")));
     let on = leap(&live, Leap::By(0.03));
@@ -132,7 +112,7 @@ fn going_on_with_an_edit_drops_what_was_later() {
     let other = paused(twins("fig5b"), MEMORY);
     leap(&other, Leap::To(forked.time));
     let mut scenes = twins("fig5b");
-    ask(&other, set(&mut scenes, "restitution", 0.3));
+    other.ask(set(&mut scenes, "restitution", 0.3));
     assert_eq!(seen(&leap(&other, Leap::By(0.03))), seen(&on));
 }
 
@@ -191,18 +171,12 @@ fn what_follows_at_once_acts_where_it_was_gone_to() {
     leap(&live, Leap::By(0.06));
     let mut scenes = twins("fig5b");
     let edit = set(&mut scenes, "restitution", 0.9);
-    live.given.set(live.given.get() + 1);
-    let order = Order::Leap(Leap::To(0.0321));
-    live.thread.orders.send(order).expect("the thread listens");
-    let forked = ask(&live, edit);
+    live.tell(Order::Leap(Leap::To(0.0321)));
+    let forked = live.ask(edit);
     assert_eq!(forked.time.to_bits(), 0.0321f64.to_bits());
     assert_eq!(forked.scenes, scenes);
-    live.given.set(live.given.get() + 1);
-    let order = Order::Leap(Leap::To(0.02));
-    live.thread.orders.send(order).expect("the thread listens");
-    live.given.set(live.given.get() + 1);
-    let order = Order::Run(true);
-    live.thread.orders.send(order).expect("the thread listens");
+    live.tell(Order::Leap(Leap::To(0.02)));
+    live.tell(Order::Run(true));
     let running = until(&live.thread, |frame| !frame.paused);
     assert!(running.time >= 0.02, "{} s", running.time);
 }

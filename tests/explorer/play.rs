@@ -1,6 +1,7 @@
 //! What tests of the explorer share: the real loop on a screen in memory, keys
 //! typed by a script, and engines that misbehave on purpose.
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::thread;
@@ -305,4 +306,35 @@ pub fn until(live: &Live, wanted: impl Fn(&Frame) -> bool) -> Frame {
         }
     }
     panic!("no such frame in {LONG:?}");
+}
+
+/// The simulation thread, and how many orders it was given.
+pub struct Session {
+    pub thread: Live,
+    given: Cell<u64>,
+}
+
+impl Session {
+    /// One that stands still at t = 0, with that page and memory.
+    pub fn paused(scenes: Vec<Scene>, sweep: Sampling, memory: usize) -> Session {
+        let thread = live::spawn(real(), memory).expect("threads are to be had");
+        load(&thread, scenes, sweep, 0.1, false);
+        until(&thread, |frame| frame.orders == 1);
+        let given = Cell::new(1);
+        Session { thread, given }
+    }
+
+    /// Gives an order.
+    pub fn tell(&self, order: Order) {
+        self.given.set(self.given.get() + 1);
+        self.thread.orders.send(order).expect("the thread listens");
+    }
+
+    /// Gives an order, and waits for the frame that it comes to.
+    pub fn ask(&self, order: Order) -> Frame {
+        self.tell(order);
+        until(&self.thread, |frame| {
+            frame.orders == self.given.get() && frame.towards.is_none()
+        })
+    }
 }

@@ -1,18 +1,17 @@
 //! Sessions on tape: what is recorded of edits, steps back and forks is played again to the
 //! same states.
 
-use std::cell::Cell;
 use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use beadlab::live::{self, Frame, Leap, Live, Order, Recording, Way};
+use beadlab::live::{Frame, Leap, Order, Recording, Way};
 use beadlab::scene::parameters::{self, Value};
 use beadlab::scene::{MethodName, Scene};
 use beadlab::study::vary;
 use beadlab::tape::{Replay, Tape};
 
 use crate::dice::Dice;
-use crate::play::{MEMORY, load, preset, real, sweep, twins, until};
+use crate::play::{MEMORY, Session, preset, sweep, twins};
 
 /// A file in memory.
 #[derive(Clone, Default)]
@@ -37,33 +36,22 @@ impl Write for Paper {
 }
 
 /// A session that stands still at t = 0 and is recorded.
-struct Session {
-    thread: Live,
-    given: Cell<u64>,
+struct Recorded {
+    session: Session,
     paper: Paper,
 }
 
-impl Session {
-    fn begin(scenes: Vec<Scene>) -> Session {
-        let thread = live::spawn(real(), MEMORY).expect("threads are to be had");
-        load(&thread, scenes, sweep(0.02, false), 0.1, false);
-        let session = Session {
-            thread,
-            given: Cell::new(1),
-            paper: Paper::default(),
-        };
-        let recording = Recording::new(Box::new(session.paper.clone()));
+impl Recorded {
+    fn begin(scenes: Vec<Scene>) -> Recorded {
+        let session = Session::paused(scenes, sweep(0.02, false), MEMORY);
+        let paper = Paper::default();
+        let recording = Recording::new(Box::new(paper.clone()));
         session.ask(Order::Record(Some(recording)));
-        session
+        Recorded { session, paper }
     }
 
-    /// Gives an order, and waits for the frame that it comes to.
     fn ask(&self, order: Order) -> Frame {
-        self.given.set(self.given.get() + 1);
-        self.thread.orders.send(order).expect("the thread listens");
-        until(&self.thread, |frame| {
-            frame.orders == self.given.get() && frame.towards.is_none()
-        })
+        self.session.ask(order)
     }
 
     /// The tape, ended.
@@ -124,7 +112,7 @@ fn sessions(count: u64) {
     for seed in 0..count {
         let mut dice = Dice(seed + 1);
         let mut scenes = small();
-        let session = Session::begin(scenes.clone());
+        let session = Recorded::begin(scenes.clone());
         for _ in 0..4 + dice.below(8) {
             let frame = match dice.below(8) {
                 0..=3 => session.ask(Order::Leap(Leap::By(0.02 * dice.roll()))),
@@ -162,7 +150,7 @@ fn ten_thousand_recorded_sessions_are_played_again() {
 fn tape() -> String {
     let mut scenes = twins("fig5b");
     let mut dice = Dice(7);
-    let session = Session::begin(scenes.clone());
+    let session = Recorded::begin(scenes.clone());
     session.ask(Order::Leap(Leap::By(0.06)));
     session.ask(edit(&mut dice, &mut scenes));
     session.ask(Order::Leap(Leap::By(0.12)));
