@@ -120,7 +120,9 @@ impl Outbox {
         let mut sequence = String::new();
         let command = CopyToClipboard::to_clipboard_from(text);
         if command.write_ansi(&mut sequence).is_ok() {
-            self.send(self.question.wrapped(sequence.as_bytes()));
+            // A string terminator would end what it is wrapped in; a bell ends it as well.
+            let open = sequence.strip_suffix("\x1b\\").unwrap_or(&sequence);
+            self.send(self.question.wrapped(format!("{open}\x07").as_bytes()));
         }
     }
 
@@ -160,5 +162,28 @@ impl Write for Outbox {
             self.send(frame);
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is to be pasted later comes whole to the terminal behind tmux and screen: within
+    /// the wrapping, which ends at the first string terminator, there is none.
+    #[test]
+    fn what_is_copied_ends_within_its_wrapping() {
+        let copied = |question| {
+            let (mut outbox, frames) = Outbox::new(question);
+            outbox.copy("beadlab fig5b");
+            String::from_utf8(frames.recv().expect("a frame")).expect("ASCII")
+        };
+        let plain = copied(StatusRequest::Plain);
+        // "beadlab fig5b" in base 64.
+        assert_eq!(plain, "\x1b]52;c;YmVhZGxhYiBmaWc1Yg==\x07");
+        let screen = copied(StatusRequest::Screen);
+        assert_eq!(screen, format!("\x1bP{plain}\x1b\\"));
+        let tmux = copied(StatusRequest::Tmux);
+        assert_eq!(tmux, format!("\x1bPtmux;\x1b{plain}\x1b\\"));
     }
 }
